@@ -1,0 +1,1 @@
+//! The shimmy of aircraft landing gears.
