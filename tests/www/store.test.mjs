@@ -1,0 +1,78 @@
+import { test } from 'node:test';
+import assert from 'node:assert/strict';
+import { Store } from '../../www/store.js';
+
+/** @returns {import('../../www/store.js').State} */
+const opening = () => ({
+  object: 'torsional',
+  parameters: { velocity: 80, dampingConstant: 20 },
+  run: { initial: { torsionAngle: 0.05 } },
+  clock: { slow: null },
+  lens: 'phase',
+  language: 'en',
+  theme: 'system',
+});
+
+/** @param {Store} store @param {number} c @param {string | null} [gesture] */
+const damp = (store, c, gesture = null) =>
+  store.update({ parameters: { ...store.state.parameters, dampingConstant: c } }, gesture);
+
+test('one drag is one undo', () => {
+  const store = new Store(opening());
+  for (const c of [21, 25, 30, 60]) damp(store, c, 'c');
+  store.settle();
+  for (const c of [59, 58]) damp(store, c, 'c');
+  assert.equal(store.state.parameters.dampingConstant, 58);
+  store.undo();
+  assert.equal(store.state.parameters.dampingConstant, 60);
+  store.undo();
+  assert.equal(store.state.parameters.dampingConstant, 20);
+  assert.ok(!store.canUndo);
+  store.redo();
+  store.redo();
+  assert.equal(store.state.parameters.dampingConstant, 58);
+  assert.ok(!store.canRedo);
+});
+
+test('two knobs are two steps, and a new change ends what could be redone', () => {
+  const store = new Store(opening());
+  damp(store, 30, 'c');
+  store.update({ parameters: { ...store.state.parameters, velocity: 50 } }, 'v');
+  store.undo();
+  assert.equal(store.state.parameters.velocity, 80);
+  assert.equal(store.state.parameters.dampingConstant, 30);
+  assert.ok(store.canRedo);
+  damp(store, 40);
+  assert.ok(!store.canRedo);
+});
+
+test('how it is looked at is kept through undo', () => {
+  const store = new Store(opening());
+  damp(store, 30);
+  store.update({ language: 'tr', theme: 'dark' });
+  assert.ok(store.canUndo);
+  store.undo();
+  assert.equal(store.state.language, 'tr');
+  assert.equal(store.state.parameters.dampingConstant, 20);
+  assert.ok(!store.canUndo);
+});
+
+test('a change to the same value is no step, and following the run is none either', () => {
+  const store = new Store(opening());
+  damp(store, 20);
+  store.follow({ parameters: { velocity: 70, dampingConstant: 20 } });
+  assert.ok(!store.canUndo);
+  assert.equal(store.state.parameters.velocity, 70);
+});
+
+test('subscribers hear the state and the one before it until they leave', () => {
+  const store = new Store(opening());
+  /** @type {number[][]} */
+  const heard = [];
+  const leave = store.subscribe((now, before) => heard.push([before.parameters.dampingConstant, now.parameters.dampingConstant]));
+  damp(store, 30);
+  store.undo();
+  leave();
+  damp(store, 50);
+  assert.deepEqual(heard, [[20, 30], [30, 20]]);
+});

@@ -1,0 +1,38 @@
+import { en } from './en.js';
+import { tr } from './tr.js';
+import { formatNumber } from './number.js';
+
+/**
+ * @typedef {import('./number.js').Language} Language
+ * @typedef {keyof typeof en} Key
+ * @typedef {{
+ *   language: Language,
+ *   say: (key: Key, values?: Record<string, string | number>) => string,
+ *   number: (value: number, decimals: number) => string,
+ * }} Voice the page's words and numbers in one language
+ */
+
+/** @type {Record<Language, Record<Key, string>>} */
+export const languages = { en, tr };
+
+/**
+ * @param {Language} language
+ * @returns {Voice}
+ */
+export function voiceOf(language) {
+  const words = languages[language];
+  return {
+    language,
+    say: (key, values = {}) => words[key].replaceAll(/\{(\w+)\}/g, (_, name) => String(values[name])),
+    number: (value, decimals) => formatNumber(value, decimals, language),
+  };
+}
+
+/**
+ * Whether a word of that name exists; names that the engine gives (parameters, error codes) are asked for first.
+ * @param {string} key
+ * @returns {key is Key}
+ */
+export function isWord(key) {
+  return Object.hasOwn(en, key);
+}
