@@ -1,0 +1,115 @@
+/**
+ * The runway in the top view: a band that rolls by from right to left.
+ *
+ * @module
+ */
+
+import { translucent } from './theme.js';
+
+/** The pattern repeats after this many metres, more than any sheet shows. */
+const PERIOD = 12;
+const JOINT_SPACING = 1;
+const SPECKLES = 460;
+/** The shortest streak [m], that of a runway at rest. */
+const SHORTEST = 0.012;
+
+/**
+ * Speckles as x [m], height in the band (0 … 1) and own length [m], three numbers each, in an
+ * order that looks like none: additive sequences of the golden ratio and its kin (M. Roberts'
+ * R2 sequence), which spread evenly and never form rows.
+ */
+const speckles = new Float64Array(3 * SPECKLES).map((_, index) => {
+  const n = Math.floor(index / 3) + 1;
+  if (index % 3 === 0) return ((n * 0.7548776662466927) % 1) * PERIOD;
+  if (index % 3 === 1) return (n * 0.5698402909980532) % 1;
+  return 0.03 * ((n * 0.618033988749895) % 1);
+});
+
+/** @param {number} value @param {number} period */
+const wrap = (value, period) => value - period * Math.floor(value / period);
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {import('./scene.js').Scene} scene
+ * @param {import('./theme.js').Theme} theme
+ */
+export function drawGround(ctx, sheet, scene, theme) {
+  const { top, bottom } = sheet.band;
+  ctx.fillStyle = theme.ground;
+  ctx.fillRect(0, top, sheet.width, bottom - top);
+  drawSpeckles(ctx, sheet, scene, theme);
+  drawJoints(ctx, sheet, scene, theme);
+  drawStraightAhead(ctx, sheet, theme);
+}
+
+/**
+ * Streaks as long as one frame's travel, as a camera would see them; fainter as they grow, so that
+ * the runway keeps its brightness at every speed.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {import('./scene.js').Scene} scene
+ * @param {import('./theme.js').Theme} theme
+ */
+function drawSpeckles(ctx, sheet, scene, theme) {
+  const { top, bottom } = sheet.band;
+  const exposure = Math.min(0.6, Math.max(0, scene.exposure));
+  const visible = sheet.width / sheet.scale;
+  const inset = 4;
+  ctx.lineCap = 'round';
+  ctx.strokeStyle = translucent(theme.ghost, 0.28 / (1 + 6 * exposure));
+  for (let layer = 0; layer < 2; layer++) {
+    ctx.lineWidth = (layer === 0 ? 1 : 1.8) * sheet.line;
+    ctx.beginPath();
+    for (let i = layer; i < SPECKLES; i += 2) {
+      const x = wrap(/** @type {number} */ (speckles[3 * i]) - scene.roll, PERIOD);
+      const length = SHORTEST + /** @type {number} */ (speckles[3 * i + 2]) + exposure;
+      if (x - length > visible) continue;
+      const height = /** @type {number} */ (speckles[3 * i + 1]);
+      const y = top + inset + height * (bottom - top - 2 * inset);
+      ctx.moveTo((x - length) * sheet.scale, y);
+      ctx.lineTo(x * sheet.scale, y);
+    }
+    ctx.stroke();
+  }
+  ctx.lineCap = 'butt';
+}
+
+/**
+ * Joints between the runway's slabs, smeared by the same exposure.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {import('./scene.js').Scene} scene
+ * @param {import('./theme.js').Theme} theme
+ */
+function drawJoints(ctx, sheet, scene, theme) {
+  const { top, bottom } = sheet.band;
+  const smear = Math.min(0.5, Math.max(0, scene.exposure));
+  const width = 0.009 + smear;
+  const first = wrap(-scene.roll, JOINT_SPACING);
+  ctx.fillStyle = translucent(theme.rule, 0.009 / width + 0.25);
+  for (let x = first; (x - width) * sheet.scale < sheet.width; x += JOINT_SPACING) {
+    ctx.fillRect((x - width) * sheet.scale, top, width * sheet.scale, bottom - top);
+  }
+  ctx.fillStyle = theme.rule;
+  ctx.fillRect(0, top, sheet.width, 1);
+  ctx.fillRect(0, bottom - 1, sheet.width, 1);
+}
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {import('./theme.js').Theme} theme
+ */
+function drawStraightAhead(ctx, sheet, theme) {
+  ctx.strokeStyle = theme.ghost;
+  ctx.lineWidth = sheet.line;
+  ctx.setLineDash([14, 4, 2, 4]);
+  ctx.beginPath();
+  ctx.moveTo(0, sheet.axis.y);
+  ctx.lineTo(sheet.width, sheet.axis.y);
+  ctx.stroke();
+  ctx.setLineDash([]);
+}

@@ -1,0 +1,130 @@
+/**
+ * The sheet: where each view stands on the canvas, how many pixels a metre has, how large type and
+ * lines are. Top view over side view share the x axis, so the caster lines up in both.
+ *
+ * @module
+ */
+
+/** @typedef {import('./scene.js').Size} Size */
+/** @typedef {import('./scene.js').Scene} Scene */
+/** @typedef {import('./scene.js').LayoutName} LayoutName */
+
+/** The wheel that is drawn. The model knows neither its radius nor its width. [m] */
+export const WHEEL_RADIUS = 0.25;
+export const WHEEL_WIDTH = 0.17;
+
+/**
+ * What each layout chooses. Lengths ending in `M` are in metres on the ground, the others in
+ * pixels.
+ *
+ * @typedef {object} Layout
+ * @property {number} verdict height at the top that belongs to the page's verdict
+ * @property {number} widthM metres that the width shows
+ * @property {number} topM height of the top view
+ * @property {number} sideM height of the side view above its ground, 0 where there is none
+ * @property {number} axisAt place of the steering axis as a share of the width
+ * @property {number} protractorM
+ * @property {number} headM radius of the steering head's detail
+ * @property {number} headTop
+ * @property {number} headRight
+ * @property {number} foot room under the side view's ground, for its dimensions
+ * @property {number} small type sizes
+ * @property {number} label
+ * @property {number} large
+ * @property {number} line factor on every line width
+ * @property {boolean} detailed whether there is room for every label
+ */
+
+/** @type {Readonly<Record<LayoutName, Layout>>} */
+const LAYOUTS = {
+  desktop: {
+    verdict: 84, widthM: 2.533, topM: 0.57, sideM: 0.618, axisAt: 0.47, protractorM: 0.5,
+    headM: 0.294, headTop: 20, headRight: 18, foot: 34, small: 13, label: 15, large: 17, line: 1,
+    detailed: true,
+  },
+  projector: {
+    verdict: 84, widthM: 2.533, topM: 0.7, sideM: 0.56, axisAt: 0.44, protractorM: 0.58,
+    headM: 0.29, headTop: 18, headRight: 18, foot: 36, small: 17, label: 19, large: 22, line: 1.5,
+    detailed: true,
+  },
+  phone: {
+    verdict: 66, widthM: 1.64, topM: 0.85, sideM: 0, axisAt: 0.46, protractorM: 0.6,
+    headM: 0.215, headTop: 10, headRight: 10, foot: 0, small: 13, label: 15, large: 17, line: 1.1,
+    detailed: false,
+  },
+};
+
+/**
+ * @typedef {object} Sheet
+ * @property {number} width
+ * @property {number} height
+ * @property {number} scale pixels a metre
+ * @property {{x: number, y: number}} axis the steering axis in the top view
+ * @property {{top: number, bottom: number}} band the ground of the top view
+ * @property {{top: number, ground: number} | null} side the side view and its ground line
+ * @property {number} protractor radius [px]
+ * @property {{x: number, y: number, radius: number}} head
+ * @property {number} small
+ * @property {number} label
+ * @property {number} large
+ * @property {number} line
+ * @property {boolean} detailed
+ */
+
+/**
+ * The sheet for a canvas. The steering axis moves aside for a long caster, so that neither the
+ * wheel nor the protractor leaves the sheet or slides under the steering head.
+ *
+ * @param {Size} size
+ * @param {Pick<Scene, 'layout' | 'parameters'>} scene
+ * @returns {Sheet}
+ */
+export function sheetFor(size, scene) {
+  const layout = LAYOUTS[scene.layout];
+  const { width, height } = size;
+  const caster = scene.parameters['casterLength'] ?? 0;
+  const room = height - layout.verdict - layout.foot;
+  const scale = Math.max(40, Math.min(width / layout.widthM, room / (layout.topM + layout.sideM)));
+  const sideTop = layout.sideM > 0 ? height - layout.foot - layout.sideM * scale : height;
+  const radius = layout.headM * scale;
+  const head = { x: width - layout.headRight - radius, y: layout.headTop + radius, radius };
+
+  const ahead = Math.max(
+    WHEEL_RADIUS - caster + 0.12,
+    layout.protractorM - 0.4 * Math.max(0, caster - 0.1),
+  );
+  const tickRoom = 3 * layout.small;
+  const rightEnd = layout.detailed ? head.x - radius : width;
+  const farthest = rightEnd - tickRoom - ahead * scale;
+  const nearest = (caster + WHEEL_RADIUS + 0.12) * scale;
+  const axisX = Math.min(Math.max(layout.axisAt * width, nearest), farthest);
+
+  return {
+    width,
+    height,
+    scale,
+    axis: { x: axisX, y: (layout.verdict + sideTop) / 2 },
+    band: { top: layout.verdict, bottom: sideTop },
+    side: layout.sideM > 0 ? { top: sideTop, ground: height - layout.foot } : null,
+    protractor: ahead * scale,
+    head,
+    small: layout.small,
+    label: layout.label,
+    large: layout.large,
+    line: layout.line,
+    detailed: layout.detailed,
+  };
+}
+
+/**
+ * The past that the sheet can show [s]: the time in which a point on the ground crosses it.
+ *
+ * @param {Size} size
+ * @param {Pick<Scene, 'layout' | 'parameters'>} scene
+ */
+export function trackSpan(size, scene) {
+  const sheet = sheetFor(size, scene);
+  const { casterLength = 0, halfContactLength = 0, velocity = 0 } = scene.parameters;
+  const visible = sheet.axis.x / sheet.scale + halfContactLength - casterLength;
+  return visible / Math.max(velocity, 1e-3);
+}

@@ -1,0 +1,46 @@
+/**
+ * The words on the gear's drawing. Braces mark what the drawing fills in.
+ *
+ * @module
+ */
+
+export const gearEn = {
+  decimalMark: '.',
+  top: 'TOP',
+  drawnToScale: 'drawn to scale',
+  drawnLarger: 'angles and tire drawn ×\u2009{factor}, the scale shows true degrees',
+  drawnLargerShort: 'angles and tire ×\u2009{factor}',
+  trackOnTheGround: 'track on the ground',
+  atItsLimit: ', at its limit',
+  spring: 'spring',
+  damper: 'damper',
+  gap: 'gap ±{angle} (drawn ×\u2009{factor})',
+  gapShort: 'gap ±{angle}',
+  side: 'SIDE',
+  seenFromTheRight: 'seen from the right',
+  steeringAxis: 'steering axis',
+  wheelTrails: 'caster: the wheel trails its axis',
+  wheelLeads: 'caster: the wheel leads its axis',
+  wheelCentered: 'no caster: the wheel stands on its axis',
+};
+
+/** @type {typeof gearEn} */
+export const gearTr = {
+  decimalMark: ',',
+  top: 'ÜSTTEN',
+  drawnToScale: 'ölçekli çizim',
+  drawnLarger: 'açılar ve lastik {factor} kat büyük, ölçek gerçek dereceyi gösterir',
+  drawnLargerShort: 'açılar ve lastik {factor} kat',
+  trackOnTheGround: 'yerdeki iz',
+  atItsLimit: ', sınırında',
+  spring: 'yay',
+  damper: 'sönümleyici',
+  gap: 'boşluk ±{angle} ({factor} kat büyük)',
+  gapShort: 'boşluk ±{angle}',
+  side: 'YANDAN',
+  seenFromTheRight: 'sağdan görünüş',
+  steeringAxis: 'dönme ekseni',
+  wheelTrails: 'kaster: tekerlek eksenini izliyor',
+  wheelLeads: 'kaster: tekerlek ekseninin önünde',
+  wheelCentered: 'kaster yok: tekerlek ekseninin altında',
+};
