@@ -15,6 +15,7 @@ export const OWN_TOOLS = join(ROOT, 'target', 'tools');
 export function buildEnvironment() {
   const cargo = process.env.CARGO_HOME ?? join(homedir(), '.cargo');
   const folders = [join(OWN_TOOLS, 'bin'), join(ROOT, 'node_modules', '.bin'), process.env.PATH, join(cargo, 'bin')];
+  /** @type {NodeJS.ProcessEnv} */
   const env = { ...process.env, PATH: folders.join(delimiter) };
   for (const name of flagsThatReplaceOurs()) delete env[name];
   return env;

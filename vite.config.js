@@ -1,0 +1,29 @@
+// Two bundles of one page. `site`: dist/, a static site for any server and any sub-path.
+// `single-file`: dist/shimmy.html with everything inside, which opens from a double-click.
+
+import { defineConfig } from 'vite';
+import { viteSingleFile } from 'vite-plugin-singlefile';
+import { contentSecurityPolicy } from './scripts/bundle/content-security-policy.js';
+import { openedFromFile } from './scripts/bundle/opened-from-file.js';
+
+const OWN_FILES = { 'script-src': "'self'", 'connect-src': "'self'", 'worker-src': "'self'", 'font-src': "'self'" };
+
+export default defineConfig(({ mode }) => {
+  const single = mode === 'single-file';
+  return {
+    root: 'www',
+    base: './',
+    publicDir: single ? false : 'public',
+    build: {
+      outDir: '../dist',
+      emptyOutDir: !single,
+      modulePreload: { polyfill: false },
+      reportCompressedSize: false,
+    },
+    // A worker of the single file starts from a blob:, where only a classic script runs in every browser.
+    worker: { format: single ? 'iife' : 'es' },
+    plugins: single
+      ? [viteSingleFile({ outputFileName: 'shimmy.html' }), contentSecurityPolicy()]
+      : [openedFromFile(), contentSecurityPolicy(OWN_FILES)],
+  };
+});
