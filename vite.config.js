@@ -6,13 +6,18 @@ import { viteSingleFile } from 'vite-plugin-singlefile';
 import { contentSecurityPolicy } from './scripts/bundle/content-security-policy.js';
 import { openedFromFile } from './scripts/bundle/opened-from-file.js';
 
-const OWN_FILES = { 'script-src': "'self'", 'connect-src': "'self'", 'worker-src': "'self'", 'font-src': "'self'" };
+/** The site loads its own files; the single file has none. */
+const OWN_FILES = Object.fromEntries(
+  ['script-src', 'worker-src', 'connect-src', 'img-src', 'style-src', 'font-src'].map((kind) => [kind, "'self'"]),
+);
 
 export default defineConfig(({ mode }) => {
   const single = mode === 'single-file';
   return {
     root: 'www',
     base: './',
+    // The fonts come from node_modules, beside the page's folder.
+    server: { fs: { allow: ['..'] } },
     publicDir: single ? false : 'public',
     build: {
       outDir: '../dist',

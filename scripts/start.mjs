@@ -1,14 +1,23 @@
 // Serves the page for a look and for work on it: what is changed in www/ shows at once.
+// npm start -- --port 8080 --host 0.0.0.0
 
+import { parseArgs } from 'node:util';
 import { ensureModule } from './build-wasm.mjs';
-import { end, run } from './setup/run.mjs';
+import { ROOT } from './setup/root.mjs';
+import { end } from './setup/run.mjs';
 import { setUp } from './setup.mjs';
 
+const { port, host } = parseArgs({ options: { port: { type: 'string' }, host: { type: 'string' } } }).values;
 try {
-  const tools = setUp('module');
-  ensureModule(tools);
-  console.log('\nOpen the address below in a browser. Ctrl+C ends.');
-  run('vite', process.argv.slice(2), tools.native);
+  ensureModule(setUp('module'));
 } catch (error) {
   end(error);
 }
+
+// Only now, because the set-up may just have installed it. It takes up vite.config.js, and another port where one is taken.
+const { createServer } = await import('vite');
+process.chdir(ROOT);
+const server = await createServer({ server: { host, port: port ? Number(port) : undefined } });
+await server.listen();
+console.log('\nOpen this address in a browser; Ctrl+C ends.');
+server.printUrls();
