@@ -1,1 +1,15 @@
-//! The shimmy of aircraft landing gears.
+//! The shimmy of aircraft landing gears: a wheel that rolls and starts to shake by itself.
+
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+pub mod element;
+pub mod error;
+pub mod integrate;
+pub mod model;
+pub mod parameter;
+pub mod real;
+pub mod run;
+
+pub use error::{Code, Error, Result};
+pub use run::Run;

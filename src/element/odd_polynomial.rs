@@ -1,0 +1,135 @@
+//! Odd functions of a slip ratio as polynomials: fitted once per parameter set, evaluated millions of times.
+
+use std::f64::consts::PI;
+
+use crate::real::Real;
+
+/// Chebyshev nodes of the fit. More than any kept series needs, so that the last coefficients measure what is cut off.
+const NODES: usize = 24;
+
+/// `f(x) ≈ x · P(x²)` with `TERMS` coefficients on |x| ≤ `range`; beyond, and where the series does not reach rounding,
+/// the function itself is called.
+///
+/// The fit is a Chebyshev interpolation of f(√u)/√u in u = x², cut after `TERMS` terms. Its error is bounded by the sum
+/// of the coefficients cut off, and is accepted only below 2⁻⁵² of the largest |P|: otherwise `range` is 0 and every
+/// call goes to the function. An odd analytic f whose nearest singularity is at x = ±i (arc tangents) converges like
+/// (4/range²)⁻ⁿ.
+#[derive(Clone, Copy, Debug)]
+pub struct OddPolynomial<const TERMS: usize> {
+    /// Coefficients of P in powers of w = `to_unit`·u − 1 ∈ \[−1, 1\].
+    coefficients: [f64; TERMS],
+    to_unit: f64,
+    range: f64,
+}
+
+impl<const TERMS: usize> OddPolynomial<TERMS> {
+    /// Fits `function` on |x| ≤ `range`.
+    ///
+    /// `function` must be odd, and analytic on the range.
+    pub fn fit(range: f64, function: impl Fn(f64) -> f64) -> Self {
+        let to_unit = 2.0 / (range * range);
+        let exact_only = Self { coefficients: [0.0; TERMS], to_unit: 0.0, range: 0.0 };
+        if !(range > 0.0 && to_unit.is_finite() && to_unit > 0.0) {
+            return exact_only;
+        }
+        let values: [f64; NODES] = std::array::from_fn(|node| {
+            let w = (PI * (node as f64 + 0.5) / NODES as f64).cos();
+            let x = ((w + 1.0) / to_unit).sqrt();
+            function(x) / x
+        });
+        let chebyshev: [f64; NODES] = std::array::from_fn(|order| {
+            let sum: f64 = (0..NODES)
+                .map(|node| values[node] * (PI * order as f64 * (node as f64 + 0.5) / NODES as f64).cos())
+                .sum();
+            sum * if order == 0 { 1.0 } else { 2.0 } / NODES as f64
+        });
+        let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let cut_off: f64 = chebyshev[TERMS..].iter().map(|c| c.abs()).sum();
+        // Rounding alone puts about NODES·ε/4 into the cut-off sum; a series that converges is at that floor.
+        if !(cut_off <= 8.0 * f64::EPSILON * largest) {
+            return exact_only;
+        }
+        Self { coefficients: to_powers(&chebyshev), to_unit, range }
+    }
+
+    /// The fitted function at `x`; `function` is called where the polynomial does not reach.
+    #[inline(always)]
+    pub fn eval<R: Real>(&self, x: R, function: impl Fn(R) -> R) -> R {
+        if x.value().abs() > self.range {
+            return function(x);
+        }
+        let w = x * x * self.to_unit - 1.0;
+        x * estrin(&self.coefficients, w)
+    }
+
+    /// Largest |x| for which the polynomial serves; 0 where it never does.
+    pub fn range(&self) -> f64 {
+        self.range
+    }
+}
+
+/// Chebyshev coefficients (the first `TERMS` of them) to powers of the same variable.
+fn to_powers<const TERMS: usize>(chebyshev: &[f64; NODES]) -> [f64; TERMS] {
+    let mut powers = [0.0; TERMS];
+    let mut before = [0.0; TERMS];
+    let mut current = [0.0; TERMS];
+    before[0] = 1.0;
+    if TERMS > 1 {
+        current[1] = 1.0;
+    }
+    for order in 0..TERMS {
+        for i in 0..TERMS {
+            powers[i] += chebyshev[order] * before[i];
+        }
+        let next = std::array::from_fn(|i| 2.0 * if i > 0 { current[i - 1] } else { 0.0 } - before[i]);
+        before = current;
+        current = next;
+    }
+    powers
+}
+
+/// Estrin's scheme: pairs, then pairs of pairs, so that the multiplications do not wait for each other.
+#[inline(always)]
+fn estrin<R: Real, const TERMS: usize>(c: &[f64; TERMS], w: R) -> R {
+    let w2 = w * w;
+    let pair = |i: usize| if i + 1 < TERMS { w * c[i + 1] + c[i] } else { R::from(c[i]) };
+    let quad = |i: usize| if i + 2 < TERMS { w2 * pair(i + 2) + pair(i) } else { pair(i) };
+    if TERMS <= 4 {
+        return quad(0);
+    }
+    let w4 = w2 * w2;
+    if TERMS <= 8 {
+        return w4 * quad(4) + quad(0);
+    }
+    (w4 * quad(8) + quad(4)) * w4 + quad(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arc_tangent_is_exact_to_rounding() {
+        let fit = OddPolynomial::<6>::fit(0.13, f64::atan);
+        assert_eq!(fit.range(), 0.13);
+        for i in 0..=10_000 {
+            let x = 0.13 * i as f64 / 10_000.0;
+            let error = (fit.eval(x, |_| f64::NAN) - x.atan()).abs();
+            assert!(error <= 3.0 * f64::EPSILON * x, "{x}: {error:e}");
+            assert_eq!(fit.eval(-x, |_| f64::NAN), -fit.eval(x, |_| f64::NAN), "odd");
+        }
+    }
+
+    #[test]
+    fn beyond_its_range_the_function_itself_is_called() {
+        let fit = OddPolynomial::<6>::fit(0.1, f64::atan);
+        assert_eq!(fit.eval(0.7, f64::atan), 0.7_f64.atan());
+        // Too wide for six terms: refused at the fit, exact at every call.
+        let wide = OddPolynomial::<6>::fit(1.5, f64::atan);
+        assert_eq!(wide.range(), 0.0);
+        assert_eq!(wide.eval(0.3, f64::atan), 0.3_f64.atan());
+        for hopeless in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-200, 1e200] {
+            assert_eq!(OddPolynomial::<6>::fit(hopeless, f64::atan).range(), 0.0, "{hopeless}");
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! What is said when an input cannot be used.
+//!
+//! An error is data first: which field, which value, what is allowed. The sentence is made from that, so that a page
+//! can say the same in another language.
+
+use std::fmt;
+
+/// Result of anything that can refuse its input.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// The kind of an [`Error`]: a stable name that programs can match.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Code {
+    /// A number outside of what the field allows.
+    OutOfRange,
+    /// NaN or an infinity.
+    NotFinite,
+    /// A value of another type than the field takes.
+    WrongType,
+    /// A key that this record does not have.
+    UnknownKey,
+    /// A name (of a model, a method, a state …) that is not on the list.
+    UnknownName,
+    /// A field that has no default is absent.
+    Missing,
+    /// A size that would not fit or would never end.
+    TooLarge,
+    /// A list that must rise does not.
+    NotAscending,
+    /// The step limit was reached before the end of the run.
+    StepLimit,
+    /// The motion left the finite numbers.
+    Diverged,
+    /// The step became too small to advance the time.
+    StepTooSmall,
+    /// The method cannot be used for this run.
+    Unsuited,
+    /// Bytes that are not a snapshot of this object.
+    BadSnapshot,
+    /// The object is in use or has been freed.
+    Unusable,
+}
+
+impl Code {
+    /// The name by which programs match: kebab case, stable.
+    pub fn name(self) -> &'static str {
+        match self {
+            Code::OutOfRange => "out-of-range",
+            Code::NotFinite => "not-finite",
+            Code::WrongType => "wrong-type",
+            Code::UnknownKey => "unknown-key",
+            Code::UnknownName => "unknown-name",
+            Code::Missing => "missing",
+            Code::TooLarge => "too-large",
+            Code::NotAscending => "not-ascending",
+            Code::StepLimit => "step-limit",
+            Code::Diverged => "diverged",
+            Code::StepTooSmall => "step-too-small",
+            Code::Unsuited => "unsuited",
+            Code::BadSnapshot => "bad-snapshot",
+            Code::Unusable => "unusable",
+        }
+    }
+}
+
+/// A refused input, or a run that could not be carried through.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Error {
+    /// Its kind.
+    pub code: Code,
+    /// The field, by its public (JavaScript) name; dotted where it is nested.
+    pub field: String,
+    /// The value, as it would be written.
+    pub value: String,
+    /// What is allowed instead, with its unit: `> 0 m/s`.
+    pub allowed: String,
+    /// The nearest known name, where the field or value is a name.
+    pub suggestion: Option<&'static str>,
+}
+
+impl Error {
+    /// `field must be allowed, got value`.
+    pub fn new(code: Code, field: impl Into<String>, value: impl Into<String>, allowed: impl Into<String>) -> Self {
+        Self { code, field: field.into(), value: value.into(), allowed: allowed.into(), suggestion: None }
+    }
+
+    /// An unknown `name` in `place`, with the nearest of the known ones.
+    pub fn unknown(code: Code, place: &str, name: &str, known: &[&'static str]) -> Self {
+        let shown: String = name.chars().take(60).collect();
+        Self {
+            code,
+            field: place.to_owned(),
+            value: shown,
+            allowed: format!("one of {}", known.join(", ")),
+            suggestion: nearest(name, known),
+        }
+    }
+
+    /// The same error with its field placed inside a record: `parameters.velocity`.
+    pub fn within(mut self, record: &str) -> Self {
+        self.field = format!("{record}.{}", self.field);
+        self
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { code, field, value, allowed, suggestion } = self;
+        match code {
+            Code::UnknownKey => write!(f, "{field} has no key {value}")?,
+            Code::UnknownName => write!(f, "{field} must be {allowed}, got {value}")?,
+            Code::Missing => write!(f, "{field} is missing: it must be {allowed}")?,
+            Code::StepLimit => {
+                write!(f, "{field} of {allowed} were taken by t = {value} s, before the end of the run")?
+            }
+            Code::Diverged => write!(f, "{field} left the finite numbers at t = {value} s: {allowed}")?,
+            Code::StepTooSmall => write!(f, "{field} became too small at t = {value} s: {allowed}")?,
+            _ => write!(f, "{field} must be {allowed}, got {value}")?,
+        }
+        match (suggestion, code) {
+            (Some(name), _) => write!(f, " (did you mean {name}?)"),
+            (None, Code::UnknownKey) => write!(f, " (it takes {})", allowed.trim_start_matches("one of ")),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The known name nearest to `name`, or none where nothing is near.
+///
+/// Near: an edit distance (insert, delete, replace) of at most a third of the longer name, letter case aside.
+pub fn nearest(name: &str, known: &[&'static str]) -> Option<&'static str> {
+    // An absurdly long name is near to nothing, and its distance would cost its length.
+    if name.len() > 60 {
+        return None;
+    }
+    let wanted: Vec<char> = name.to_lowercase().chars().collect();
+    known
+        .iter()
+        .map(|&candidate| (edit_distance(&wanted, &candidate.to_lowercase().chars().collect::<Vec<_>>()), candidate))
+        .filter(|(distance, candidate)| 3 * distance <= candidate.len().max(wanted.len()))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, candidate)| candidate)
+}
+
+fn edit_distance(a: &[char], b: &[char]) -> usize {
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.iter().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(x != y);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sentence_names_field_value_and_what_is_allowed() {
+        let error = Error::new(Code::OutOfRange, "velocity", "-3", "> 0 m/s");
+        assert_eq!(error.to_string(), "velocity must be > 0 m/s, got -3");
+        assert_eq!(error.within("parameters").to_string(), "parameters.velocity must be > 0 m/s, got -3");
+    }
+
+    #[test]
+    fn nearest_name_is_suggested_and_nonsense_is_not() {
+        let known = ["velocity", "casterLength", "dampingConstant"];
+        assert_eq!(nearest("velocty", &known), Some("velocity"));
+        assert_eq!(nearest("CasterLenght", &known), Some("casterLength"));
+        assert_eq!(nearest("qqqqqqqq", &known), None);
+        assert_eq!(nearest(&"x".repeat(100_000), &known), None);
+        let error = Error::unknown(Code::UnknownKey, "parameters", "velocty", &known);
+        assert_eq!(error.to_string(), "parameters has no key velocty (did you mean velocity?)");
+    }
+}

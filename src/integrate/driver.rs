@@ -1,0 +1,520 @@
+//! The one driver of all schemes.
+
+use super::{
+    controller::{Controller, power},
+    dense::{COEFFICIENTS, Dense},
+    dop853, dormand_prince,
+    locate::{Ends, Locator},
+    method::{Method, Scheme},
+    rodas, runge_kutta4,
+    stages::{Attempt, MOST, Stages},
+};
+use crate::{
+    model::{Mode, System},
+    real::Dual,
+};
+
+/// What a step may be wrong by: rtol·|x| + atol in each component, as a root mean square.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerance<const N: usize> {
+    /// Relative.
+    pub relative: f64,
+    /// Absolute, in the unit of each state.
+    pub absolute: [f64; N],
+}
+
+/// What a run has cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Stats {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Steps tried again with a smaller size.
+    pub rejected: u64,
+    /// Right-hand sides.
+    pub evaluations: u64,
+    /// Switches located.
+    pub events: u64,
+    /// The run met a stretch where stability, not accuracy, held the explicit step down.
+    pub stiff: bool,
+}
+
+/// How a step ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Within its mode.
+    Step,
+    /// At this switch, past which it goes on in another mode.
+    Switch(usize),
+}
+
+/// Why no step could be taken. The motion stays where it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// The state left the finite numbers.
+    Diverged,
+    /// The step fell below what the time can resolve.
+    StepTooSmall,
+}
+
+/// Explicit steps in a row that must look stiff before a run counts as such, and how often one looks.
+const STIFF_IN_A_ROW: u32 = 15;
+const STIFF_INTERVAL: u64 = 25;
+
+/// A motion of a system: where it is, the step that led there, and what is needed to go on.
+///
+/// A clone goes on bit by bit as the original would.
+#[derive(Clone, Debug)]
+pub struct Integrator<S, const N: usize> {
+    system: S,
+    tolerance: Tolerance<N>,
+    method: Method,
+    scheme: Scheme,
+    fixed_step: f64,
+    /// No step is longer, however still the motion is.
+    longest_step: f64,
+    locator: Locator,
+
+    mode: Mode,
+    t: f64,
+    x: [f64; N],
+    /// Step to try next.
+    h: f64,
+    /// Switches passed whose value has not left zero since: a bit each.
+    fresh: u32,
+    controller: Controller,
+    stiff_looking: u32,
+    /// Switches in a row without a step between them.
+    in_place: u32,
+    stats: Stats,
+
+    /// The step that ended at (t, x): its start, length, mode, and stages (the derivative at its end goes first in the
+    /// next step).
+    from_t: f64,
+    from_x: [f64; N],
+    length: f64,
+    from_mode: Mode,
+    k: Stages<N>,
+    start_rate: [f64; N],
+    f: [f64; N],
+    dense: Dense<N>,
+    dense_ready: bool,
+}
+
+impl<S: System<N>, const N: usize> Integrator<S, N> {
+    /// A motion that starts at `x` at t = 0.
+    ///
+    /// # Errors
+    /// [`Failure::Diverged`] where the right-hand side is not finite there.
+    pub fn new(
+        system: S,
+        method: Method,
+        tolerance: Tolerance<N>,
+        fixed_step: f64,
+        longest_step: f64,
+        x: [f64; N],
+    ) -> Result<Self, Failure> {
+        let t = 0.0;
+        let scheme = method.scheme(tolerance.relative);
+        let mut motion = Self {
+            system,
+            tolerance,
+            method,
+            scheme,
+            fixed_step,
+            longest_step,
+            locator: Locator::new(),
+            mode: Mode::default(),
+            t,
+            x,
+            h: fixed_step,
+            fresh: 0,
+            controller: controller(scheme),
+            stiff_looking: 0,
+            in_place: 0,
+            stats: Stats::default(),
+            from_t: t,
+            from_x: x,
+            length: 0.0,
+            from_mode: Mode::default(),
+            k: [[0.0; N]; MOST],
+            start_rate: [0.0; N],
+            f: [0.0; N],
+            dense: Dense { c: [[0.0; N]; COEFFICIENTS] },
+            dense_ready: false,
+        };
+        motion.restart(t, x)?;
+        Ok(motion)
+    }
+
+    /// Goes on from (`t`, `x`) instead, with nothing remembered but what the run has cost.
+    ///
+    /// # Errors
+    /// [`Failure::Diverged`] where the right-hand side is not finite there; the motion stays where it was.
+    pub fn restart(&mut self, t: f64, x: [f64; N]) -> Result<(), Failure> {
+        let mode = self.system.mode(t, &x);
+        let f = self.system.rate(t, mode, &x);
+        if !f.iter().chain(&x).all(|value| value.is_finite()) {
+            return Err(Failure::Diverged);
+        }
+        self.stats.evaluations += 1;
+        (self.t, self.x, self.f, self.mode) = (t, x, f, mode);
+        (self.from_t, self.from_x, self.length, self.from_mode) = (t, x, 0.0, mode);
+        self.fresh = 0;
+        self.dense_ready = false;
+        self.stiff_looking = 0;
+        self.scheme = self.method.scheme(self.tolerance.relative);
+        self.controller = controller(self.scheme);
+        self.h = if self.scheme == Scheme::RungeKutta4 { self.fixed_step } else { self.first_step() };
+        Ok(())
+    }
+
+    /// Goes on with another system (other parameter values) from the same state at time `t`.
+    ///
+    /// # Errors
+    /// As [`Integrator::restart`]; then the old system stays.
+    pub fn replace(&mut self, system: S, t: f64, x: [f64; N]) -> Result<(), Failure> {
+        let before = std::mem::replace(&mut self.system, system);
+        self.restart(t, x).inspect_err(|_| self.system = before)
+    }
+
+    /// Time at the end of the last step.
+    #[inline(always)]
+    pub fn time(&self) -> f64 {
+        self.t
+    }
+
+    /// State at the end of the last step.
+    #[inline(always)]
+    pub fn state(&self) -> &[f64; N] {
+        &self.x
+    }
+
+    /// Derivative at the end of the last step.
+    pub fn derivative(&self) -> &[f64; N] {
+        &self.f
+    }
+
+    /// Time at the start of the last step: within the step, [`Integrator::interpolate`] serves.
+    pub fn step_start(&self) -> f64 {
+        self.from_t
+    }
+
+    /// State at the start of the last step.
+    pub fn step_start_state(&self) -> &[f64; N] {
+        &self.from_x
+    }
+
+    /// The system that moves.
+    pub fn system(&self) -> &S {
+        &self.system
+    }
+
+    /// What the motion has cost so far.
+    pub fn stats(&self) -> Stats {
+        self.stats
+    }
+
+    /// The scheme in use.
+    pub fn scheme(&self) -> Scheme {
+        self.scheme
+    }
+
+    /// The state at time `t` within the last step, by its dense output.
+    pub fn interpolate(&mut self, t: f64) -> [f64; N] {
+        if t >= self.t || self.length == 0.0 {
+            return self.x;
+        }
+        if t <= self.from_t {
+            return self.from_x;
+        }
+        self.prepare_dense();
+        self.dense.at((t - self.from_t) / self.length)
+    }
+
+    /// Takes one step, to `end` at most, and stops at a switch on its way.
+    ///
+    /// # Errors
+    /// A [`Failure`]; the motion stays where it was.
+    pub fn step(&mut self, end: f64) -> Result<Outcome, Failure> {
+        let (h, attempt) = self.accepted_attempt(end)?;
+        let landed = if h == end - self.t { end } else { self.t + h };
+        (self.from_t, self.from_x, self.from_mode, self.length) = (self.t, self.x, self.mode, h);
+        let end_rate = self.end_rate(landed, &attempt.end);
+        self.t = landed;
+        self.x = attempt.end;
+        self.dense_ready = false;
+        self.stats.steps += 1;
+        if self.stats.steps % STIFF_INTERVAL == 0 || self.stiff_looking > 0 {
+            self.look_for_stiffness(h, &attempt, &end_rate);
+        }
+        self.start_rate = std::mem::replace(&mut self.f, end_rate);
+        if S::SWITCHES > 0
+            && let Some((which, theta)) = self.first_switch(h)
+        {
+            return self.stop_at(which, theta);
+        }
+        Ok(Outcome::Step)
+    }
+
+    /// A step whose error is within the tolerance.
+    #[inline(always)]
+    fn accepted_attempt(&mut self, end: f64) -> Result<(f64, Attempt<N>), Failure> {
+        let room = end - self.t;
+        loop {
+            // A remainder shorter than a tenth of a step would be a step of its own: stretch or land exactly.
+            let mut h = self.h;
+            if self.scheme == Scheme::RungeKutta4 {
+                h = self.to_grid();
+            }
+            if h * 1.01 >= room {
+                h = room;
+            }
+            if h <= 4.0 * f64::EPSILON * self.t.abs() || h < 1e-290 {
+                return Err(if self.x.iter().any(|x| x.abs() > 1e100) {
+                    Failure::Diverged
+                } else {
+                    Failure::StepTooSmall
+                });
+            }
+            self.k[0] = self.f;
+            let (attempt, error) = self.attempt(h);
+            if error <= 1.0 {
+                if self.scheme != Scheme::RungeKutta4 {
+                    let next = h * self.controller.accepted(error);
+                    // A step cut short by the end says nothing against the longer one that was planned.
+                    self.h = if h < self.h { next.max(self.h) } else { next }.min(self.longest_step);
+                }
+                return Ok((h, attempt));
+            }
+            self.stats.rejected += 1;
+            if self.scheme == Scheme::RungeKutta4 {
+                return Err(Failure::Diverged);
+            }
+            self.h = h * self.controller.rejected(error);
+        }
+    }
+
+    /// Tries a step of length `h`: its end and its error in units of the tolerance.
+    #[inline(always)]
+    fn attempt(&mut self, h: f64) -> (Attempt<N>, f64) {
+        let (system, k) = (&self.system, &mut self.k);
+        let attempt = match self.scheme {
+            Scheme::DormandPrince => {
+                self.stats.evaluations += 6;
+                dormand_prince::attempt(system, self.mode, self.t, &self.x, h, k)
+            }
+            Scheme::Dop853 => {
+                self.stats.evaluations += 11;
+                dop853::attempt(system, self.mode, self.t, &self.x, h, k)
+            }
+            Scheme::RungeKutta4 => {
+                self.stats.evaluations += 3;
+                runge_kutta4::attempt(system, self.mode, self.t, &self.x, h, k)
+            }
+            Scheme::Rodas => {
+                self.stats.evaluations += rodas::STAGES as u64 - 1;
+                match rodas::attempt(system, self.mode, self.t, &self.x, h, k) {
+                    Some(attempt) => attempt,
+                    None => return (Attempt { end: self.x, last_stage: self.x }, f64::INFINITY),
+                }
+            }
+        };
+        let scale: [f64; N] = std::array::from_fn(|i| {
+            let size = self.x[i].abs().max(attempt.end[i].abs());
+            1.0 / (self.tolerance.absolute[i] + self.tolerance.relative * size)
+        });
+        let error = match self.scheme {
+            Scheme::DormandPrince => root_mean_square(&dormand_prince::error(h, k), &scale),
+            Scheme::Dop853 => dop853::error(h, k, &scale),
+            Scheme::RungeKutta4 => 0.0,
+            Scheme::Rodas => root_mean_square(&rodas::error(k), &scale),
+        };
+        let finite = attempt.end.iter().all(|x| x.is_finite());
+        (attempt, if finite { error } else { f64::INFINITY })
+    }
+
+    /// Derivative at the end of an accepted step, where the next step starts.
+    #[inline(always)]
+    fn end_rate(&mut self, t: f64, x: &[f64; N]) -> [f64; N] {
+        if self.scheme == Scheme::DormandPrince {
+            return self.k[dormand_prince::END];
+        }
+        self.stats.evaluations += 1;
+        let rate = self.system.rate(t, self.mode, x);
+        if self.scheme == Scheme::Dop853 {
+            self.k[dop853::END] = rate;
+        }
+        rate
+    }
+
+    fn prepare_dense(&mut self) {
+        if self.dense_ready {
+            return;
+        }
+        let (x0, x1, h) = (&self.from_x, &self.x, self.length);
+        self.dense = match self.scheme {
+            Scheme::DormandPrince => dormand_prince::dense(x0, x1, h, &self.k),
+            Scheme::Dop853 => {
+                self.stats.evaluations += 3;
+                dop853::dense(&self.system, self.from_mode, self.from_t, (x0, x1), h, &mut self.k)
+            }
+            Scheme::RungeKutta4 => runge_kutta4::dense(x0, x1, &self.f, h, &self.k),
+            Scheme::Rodas => rodas::dense(x0, x1, &self.k),
+        };
+        self.dense_ready = true;
+    }
+
+    /// The first switch within the step just taken, and where.
+    #[inline(always)]
+    fn first_switch(&mut self, h: f64) -> Option<(usize, f64)> {
+        let fresh = self.fresh;
+        let mut suspects = 0_u32;
+        for which in 0..S::SWITCHES {
+            let Some((start, start_slope)) = self.switch_with_slope(which, self.from_t, &self.from_x, &self.start_rate)
+            else {
+                continue;
+            };
+            let Some((end, end_slope)) = self.switch_with_slope(which, self.t, &self.x, &self.f) else { continue };
+            let ends = Ends { start, start_slope: h * start_slope, end, end_slope: h * end_slope };
+            suspects |= u32::from(!ends.stays_positive(fresh >> which & 1 == 1)) << which;
+            if end > 0.0 {
+                self.fresh &= !(1 << which);
+            }
+        }
+        if suspects == 0 { None } else { self.locate(suspects, fresh) }
+    }
+
+    #[inline(always)]
+    fn switch_with_slope(&self, which: usize, t: f64, x: &[f64; N], rate: &[f64; N]) -> Option<(f64, f64)> {
+        let along: [Dual<1>; N] = std::array::from_fn(|i| Dual { value: x[i], slope: [rate[i]] });
+        let value = self.system.switch(which, Dual::variable(t, 0), self.mode, &along)?;
+        Some((value.value, value.slope[0]))
+    }
+
+    /// The first of the suspected switches on the dense output, and the θ where it falls.
+    #[inline(never)]
+    fn locate(&mut self, suspects: u32, fresh: u32) -> Option<(usize, f64)> {
+        self.prepare_dense();
+        let mut first: Option<(usize, f64)> = None;
+        for which in (0..S::SWITCHES).filter(|which| suspects >> which & 1 == 1) {
+            let value = |theta: f64| {
+                let t = self.from_t + theta * self.length;
+                self.system.switch(which, t, self.mode, &self.dense.at(theta)).unwrap_or(1.0)
+            };
+            if let Some(theta) = self.locator.first(fresh >> which & 1 == 1, value)
+                && first.is_none_or(|(_, earliest)| theta < earliest)
+            {
+                first = Some((which, theta));
+            }
+        }
+        if first.is_some() {
+            // The step is cut at the switch: what was fresh at its start may still be.
+            self.fresh = fresh;
+        }
+        first
+    }
+
+    /// Takes the step again up to the switch, with the full order of the scheme, and changes the mode there.
+    #[inline(never)]
+    fn stop_at(&mut self, which: usize, theta: f64) -> Result<Outcome, Failure> {
+        let h = theta * self.length;
+        self.k[0] = self.start_rate;
+        (self.t, self.x) = (self.from_t, self.from_x);
+        if self.t + h > self.t {
+            let (attempt, _) = self.attempt(h);
+            (self.t, self.x, self.length) = (self.t + h, attempt.end, h);
+            self.in_place = 0;
+        } else {
+            self.length = 0.0;
+            self.in_place += 1;
+        }
+        if !self.x.iter().all(|x| x.is_finite()) || self.in_place > 4 * S::SWITCHES as u32 {
+            return Err(Failure::StepTooSmall);
+        }
+        self.end_rate(self.t, &self.x.clone());
+        self.dense_ready = false;
+        self.stats.events += 1;
+        self.mode = self.system.cross(which, self.mode);
+        self.f = self.system.rate(self.t, self.mode, &self.x);
+        self.stats.evaluations += 1;
+        for other in 0..S::SWITCHES {
+            let left = self.system.switch(other, self.t, self.mode, &self.x).is_none_or(|value| value > 0.0);
+            if left {
+                self.fresh &= !(1 << other);
+            }
+        }
+        self.fresh |= 1 << which;
+        Ok(Outcome::Switch(which))
+    }
+
+    /// Hairer's test: the quotient of differences of the last two stages estimates the largest eigenvalue; a step that
+    /// sits at the edge of the stability region again and again is held there by stiffness.
+    #[inline(never)]
+    fn look_for_stiffness(&mut self, h: f64, attempt: &Attempt<N>, end_rate: &[f64; N]) {
+        let (stage_rate, edge) = match self.scheme {
+            Scheme::DormandPrince => (&self.k[5], 3.25),
+            Scheme::Dop853 => (&self.k[11], 6.1),
+            Scheme::RungeKutta4 | Scheme::Rodas => return,
+        };
+        let (mut rates, mut states) = (0.0, 0.0);
+        for i in 0..N {
+            rates += ((end_rate[i] - stage_rate[i]) / self.tolerance.absolute[i]).powi(2);
+            states += ((attempt.end[i] - attempt.last_stage[i]) / self.tolerance.absolute[i]).powi(2);
+        }
+        if states > 0.0 && h * (rates / states).sqrt() > edge {
+            self.stiff_looking += 1;
+        } else {
+            self.stiff_looking = 0;
+        }
+        if self.stiff_looking == STIFF_IN_A_ROW {
+            self.stats.stiff = true;
+            self.stiff_looking = 0;
+            if self.method == Method::Auto {
+                self.scheme = Scheme::Rodas;
+                self.controller = controller(self.scheme);
+            }
+        }
+    }
+
+    /// Length of the fixed step that leads to the next point of its grid, kept through switches.
+    fn to_grid(&self) -> f64 {
+        let done = (self.t / self.fixed_step + 1e-6).floor();
+        (done + 1.0) * self.fixed_step - self.t
+    }
+
+    /// A first step from the sizes of the state and its first two derivatives.
+    ///
+    /// E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.4.
+    fn first_step(&mut self) -> f64 {
+        let scale: [f64; N] =
+            std::array::from_fn(|i| 1.0 / (self.tolerance.absolute[i] + self.tolerance.relative * self.x[i].abs()));
+        let (size, speed) = (root_mean_square(&self.x, &scale), root_mean_square(&self.f, &scale));
+        let guess = if size < 1e-5 || speed < 1e-5 { 1e-6 } else { 0.01 * size / speed };
+        let ahead: [f64; N] = std::array::from_fn(|i| self.x[i] + guess * self.f[i]);
+        let rate = self.system.rate(self.t + guess, self.mode, &ahead);
+        self.stats.evaluations += 1;
+        let bend: [f64; N] = std::array::from_fn(|i| rate[i] - self.f[i]);
+        let largest = speed.max(root_mean_square(&bend, &scale) / guess);
+        let by_error =
+            if largest <= 1e-15 { (guess * 1e-3).max(1e-6) } else { power(0.01 / largest, 1.0 / order(self.scheme)) };
+        (100.0 * guess).min(by_error).min(self.longest_step)
+    }
+}
+
+fn root_mean_square<const N: usize>(values: &[f64; N], scale: &[f64; N]) -> f64 {
+    let sum: f64 = (0..N).map(|i| (values[i] * scale[i]).powi(2)).sum();
+    (sum / N as f64).sqrt()
+}
+
+/// Power with which a scheme's error estimate falls.
+fn order(scheme: Scheme) -> f64 {
+    if scheme == Scheme::Dop853 { 8.0 } else { 5.0 }
+}
+
+fn controller(scheme: Scheme) -> Controller {
+    match scheme {
+        Scheme::Dop853 => Controller::new(order(scheme), 0.0, 0.9),
+        Scheme::Rodas => Controller::new(order(scheme), 0.0, 0.9),
+        Scheme::DormandPrince | Scheme::RungeKutta4 => Controller::new(order(scheme), 0.04, 0.9),
+    }
+}

@@ -1,0 +1,220 @@
+//! Where a switch falls through zero within a step.
+
+use std::f64::consts::PI;
+
+/// Values of a switch that are taken along a step. Its course there is the polynomial through them: exact for a switch
+/// that is linear in the state, as the dense output is of degree 7.
+pub(super) const NODES: usize = 8;
+
+/// A switch's value and slope (per step) at the start and the end of a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ends {
+    pub start: f64,
+    pub start_slope: f64,
+    pub end: f64,
+    pub end_slope: f64,
+}
+
+impl Ends {
+    /// Whether the switch surely stays positive, judged by the cubic through both ends.
+    ///
+    /// The cubic lies within the hull of its Bernstein coefficients; the true course departs from it by far less than a
+    /// tenth of their spread as long as a step is shorter than half an oscillation, and that tenth is kept as a margin.
+    /// `fresh`: the switch has just been passed, its value at the start is 0 but for rounding.
+    #[inline(always)]
+    pub fn stays_positive(&self, fresh: bool) -> bool {
+        let start = if fresh { 0.0 } else { self.start };
+        let leaving = self.start_slope / 3.0;
+        let arriving = self.end_slope / 3.0;
+        let margin = 0.1 * (leaving.abs() + arriving.abs() + (self.end - start).abs());
+        let lowest = (start + leaving).min(self.end - arriving).min(self.end);
+        if fresh { lowest > 0.0 && leaving > 0.0 && self.end > margin.min(leaving) } else { lowest.min(start) > margin }
+    }
+}
+
+/// Finds the first θ ∈ \[0, 1\] at which a switch falls through zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Locator {
+    nodes: [f64; NODES],
+    to_bernstein: [[f64; NODES]; NODES],
+}
+
+impl Locator {
+    /// Prepares the nodes and the change of basis: once a run.
+    pub fn new() -> Self {
+        let last = (NODES - 1) as f64;
+        let nodes: [f64; NODES] = std::array::from_fn(|i| 0.5 - 0.5 * (PI * i as f64 / last).cos());
+        let basis = nalgebra::SMatrix::<f64, NODES, NODES>::from_fn(|i, j| {
+            binomial(NODES - 1, j) * nodes[i].powi(j as i32) * (1.0 - nodes[i]).powi((NODES - 1 - j) as i32)
+        });
+        let inverse = basis.try_inverse().unwrap_or_else(nalgebra::SMatrix::identity);
+        Self { nodes, to_bernstein: std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])) }
+    }
+
+    /// The first fall through zero of `switch`, a function of θ, or `None`.
+    ///
+    /// A dip below zero that rounding could have made does not count, nor does the start of a `fresh` switch.
+    pub fn first(&self, fresh: bool, switch: impl Fn(f64) -> f64) -> Option<f64> {
+        let values: [f64; NODES] = std::array::from_fn(|i| switch(self.nodes[i]));
+        let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let noise = 64.0 * f64::EPSILON * largest;
+        let mut course: [f64; NODES] =
+            std::array::from_fn(|i| (0..NODES).map(|j| self.to_bernstein[i][j] * values[j]).sum());
+        course[0] = values[0];
+        course[NODES - 1] = values[NODES - 1];
+        if fresh || course[0].abs() <= noise {
+            // Start on the boundary: what counts is the course divided by θ.
+            course[0] = 0.0;
+            let divided: [f64; NODES - 1] =
+                std::array::from_fn(|i| course[i + 1] * (NODES - 1) as f64 / (i + 1) as f64);
+            if divided[0] <= 0.0 {
+                return falls_below(&course, noise).then_some(0.0);
+            }
+            return first_fall(&divided, 0.0, 1.0, &|theta| if theta > 0.0 { switch(theta) } else { divided[0] })
+                .filter(|&theta| theta == 1.0 || falls_below(&split(&course, theta).1, noise));
+        }
+        if course[0] < 0.0 {
+            return Some(0.0);
+        }
+        first_fall(&course, 0.0, 1.0, &switch)
+            .filter(|&theta| theta == 1.0 || falls_below(&split(&course, theta).1, noise))
+    }
+}
+
+/// Whether the course really gets below zero by more than noise: seen at its end, or at points on its way.
+fn falls_below<const M: usize>(course: &[f64; M], noise: f64) -> bool {
+    course[M - 1] < 0.0 || (1..16).any(|i| split(course, i as f64 / 16.0).1[0] < -noise)
+}
+
+/// First root of a polynomial in Bernstein form over \[`low`, `high`\] that starts positive.
+///
+/// Coefficients that are all positive prove that there is none; one change of sign proves that there is one, which is
+/// then bracketed; otherwise the interval is halved.
+fn first_fall<const M: usize>(course: &[f64; M], low: f64, high: f64, switch: &impl Fn(f64) -> f64) -> Option<f64> {
+    if course.iter().all(|&c| c > 0.0) {
+        return None;
+    }
+    if course[0] <= 0.0 {
+        return Some(low);
+    }
+    let changes = course.windows(2).filter(|pair| (pair[0] > 0.0) != (pair[1] > 0.0)).count();
+    if changes == 1 {
+        return Some(bracketed(low, high, switch));
+    }
+    let middle = 0.5 * (low + high);
+    if high - low < 1e-9 {
+        return None; // a touch, far below what a step resolves
+    }
+    let (first, second) = split(course, 0.5);
+    first_fall(&first, low, middle, switch).or_else(|| first_fall(&second, middle, high, switch))
+}
+
+/// Root of `switch` between `low` (positive) and `high` (not): regula falsi of the Illinois kind.
+fn bracketed(mut low: f64, mut high: f64, switch: &impl Fn(f64) -> f64) -> f64 {
+    let (mut at_low, mut at_high) = (switch(low), switch(high));
+    if at_low <= 0.0 {
+        return low;
+    }
+    for _ in 0..60 {
+        if at_high >= 0.0 || high - low <= 4.0 * f64::EPSILON * high {
+            break;
+        }
+        let theta = low + (high - low) * at_low / (at_low - at_high);
+        let theta = if theta > low && theta < high { theta } else { 0.5 * (low + high) };
+        let value = switch(theta);
+        if value == 0.0 {
+            return theta;
+        } else if value > 0.0 {
+            (low, at_low) = (theta, value);
+            at_high *= 0.5;
+        } else {
+            (high, at_high) = (theta, value);
+            at_low *= 0.5;
+        }
+    }
+    high
+}
+
+/// De Casteljau's subdivision at `theta`.
+fn split<const M: usize>(course: &[f64; M], theta: f64) -> ([f64; M], [f64; M]) {
+    let mut work = *course;
+    let (mut first, mut second) = ([0.0; M], [0.0; M]);
+    for level in 0..M {
+        first[level] = work[0];
+        second[M - 1 - level] = work[M - 1 - level];
+        for i in 0..M - 1 - level {
+            work[i] = (1.0 - theta) * work[i] + theta * work[i + 1];
+        }
+    }
+    (first, second)
+}
+
+fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn first(fresh: bool, switch: impl Fn(f64) -> f64) -> Option<f64> {
+        Locator::new().first(fresh, switch)
+    }
+
+    #[test]
+    fn first_of_several_roots_is_found_to_rounding() {
+        let roots = [0.31, 0.62, 0.9];
+        let found = first(false, |t| -(t - roots[0]) * (t - roots[1]) * (t - roots[2])).unwrap();
+        assert!((found - roots[0]).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_short_dip_between_the_nodes_is_found() {
+        // Below zero only on 0.500 … 0.502.
+        let found = first(false, |t| (t - 0.5) * (t - 0.502)).unwrap();
+        assert!((found - 0.5).abs() < 1e-12, "{found}");
+    }
+
+    #[test]
+    fn a_touch_is_no_fall() {
+        assert_eq!(first(false, |t| (t - 0.4).powi(2)), None);
+        assert_eq!(first(false, |t| (t - 0.4).powi(2) + 1e-13), None);
+        assert_eq!(first(false, |t| 1.0 + t), None);
+    }
+
+    #[test]
+    fn the_boundary_just_passed_does_not_count_again() {
+        assert_eq!(first(true, |t| t), None);
+        assert_eq!(first(true, |t| t - 1e-12), None, "rounding at the start");
+        let back = first(true, |t| t * (0.25 - t)).unwrap();
+        assert!((back - 0.25).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_start_beyond_the_boundary_falls_at_once() {
+        assert_eq!(first(false, |t| -0.1 + t), Some(0.0));
+    }
+
+    #[test]
+    fn ends_never_promise_what_a_sine_breaks() {
+        // Courses margin + sin, steps up to 1.5 rad long: whenever the true course falls below 0, no promise.
+        let mut promises = 0;
+        for level in 0..200 {
+            for phase in 0..120 {
+                for step in [0.1, 0.4, 0.8, 1.5] {
+                    let offset = -1.1 + 2.2 * level as f64 / 199.0;
+                    let start = phase as f64 * 0.0525;
+                    let value = |theta: f64| offset + (start + theta * step).sin();
+                    let slope = |theta: f64| step * (start + theta * step).cos();
+                    let ends =
+                        Ends { start: value(0.0), start_slope: slope(0.0), end: value(1.0), end_slope: slope(1.0) };
+                    if ends.stays_positive(false) {
+                        promises += 1;
+                        assert!((0..=100).all(|i| value(0.01 * i as f64) > 0.0), "{ends:?}");
+                    }
+                }
+            }
+        }
+        assert!(promises > 20_000, "the shortcut is used: {promises}");
+    }
+}

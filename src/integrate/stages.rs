@@ -1,0 +1,36 @@
+//! The stages of a step and their weighted sums.
+
+/// Most stages that a step or its dense output needs (DOP853: 12, one at the end, 3 for the dense output).
+pub(super) const MOST: usize = 16;
+
+/// Derivatives (of a Rosenbrock method: increments) of the stages of one step.
+pub(super) type Stages<const N: usize> = [[f64; N]; MOST];
+
+/// Σ weightⱼ kⱼ. Weights are constants of a table: the loops unroll and the zeros vanish.
+#[inline(always)]
+pub(super) fn weighted<const N: usize>(weights: &[f64], k: &Stages<N>) -> [f64; N] {
+    let mut sum = [0.0; N];
+    for (weight, derivative) in weights.iter().zip(k) {
+        if *weight != 0.0 {
+            for i in 0..N {
+                sum[i] += weight * derivative[i];
+            }
+        }
+    }
+    sum
+}
+
+/// x + h Σ weightⱼ kⱼ.
+#[inline(always)]
+pub(super) fn moved<const N: usize>(x: &[f64; N], h: f64, weights: &[f64], k: &Stages<N>) -> [f64; N] {
+    let sum = weighted(weights, k);
+    std::array::from_fn(|i| x[i] + h * sum[i])
+}
+
+/// What one try of a step gives.
+pub(super) struct Attempt<const N: usize> {
+    /// The state at its end.
+    pub end: [f64; N],
+    /// The state of the last stage at the end's time: with its derivative it tells how stiff the equations are.
+    pub last_stage: [f64; N],
+}

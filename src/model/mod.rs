@@ -1,0 +1,61 @@
+//! Models: physics only, one file each.
+//!
+//! A model is a [`System`] of first-order equations, piecewise smooth, together with its tables ([`Model`]). To add one:
+//! write its file, and add its line to [`list`].
+
+pub mod system;
+pub mod torsional;
+pub mod torsional_linear;
+
+pub use system::{Mode, Model, System};
+pub use torsional::Torsional;
+pub use torsional_linear::TorsionalLinear;
+
+use serde::Serialize;
+
+use crate::parameter::{Parameter, StateVariable};
+
+/// What is known of a model without a run: its tables.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Description {
+    /// Public name: `torsional`.
+    pub name: &'static str,
+    /// One line for people.
+    pub title: &'static str,
+    /// Parameters in the order in which they are stored.
+    pub parameters: &'static [Parameter],
+    /// State variables in the order in which they are stored.
+    pub state: &'static [StateVariable],
+}
+
+impl Description {
+    /// The tables of the model `M`.
+    pub fn of<const N: usize, M: Model<N>>() -> Self {
+        Self { name: M::NAME, title: M::TITLE, parameters: M::PARAMETERS, state: M::STATE }
+    }
+
+    /// Default values of all parameters, in table order.
+    pub fn defaults(&self) -> Vec<f64> {
+        self.parameters.iter().map(|p| p.default).collect()
+    }
+}
+
+/// Every model, each a line. The public name picks the line; whoever runs a model goes on with its type.
+#[macro_export]
+#[doc(hidden)]
+macro_rules! for_each_model {
+    ($do:ident) => {
+        $do! {
+            3, $crate::model::Torsional;
+            3, $crate::model::TorsionalLinear;
+        }
+    };
+}
+
+/// The tables of all models.
+pub fn list() -> Vec<Description> {
+    macro_rules! describe {
+        ($($n:literal, $model:ty;)*) => { vec![$(Description::of::<$n, $model>()),*] };
+    }
+    for_each_model!(describe)
+}

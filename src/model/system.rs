@@ -1,0 +1,92 @@
+//! What a model offers to an integrator.
+
+use crate::{
+    parameter::{Parameter, StateVariable},
+    real::Real,
+};
+
+/// Which piece of each piecewise law holds: two bits a kink (see [`crate::element::Side`]).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Mode(pub u32);
+
+impl Mode {
+    /// The side of kink `kink`.
+    #[inline(always)]
+    pub fn side(self, kink: usize) -> crate::element::Side {
+        use crate::element::Side;
+        match (self.0 >> (2 * kink)) & 3 {
+            0 => Side::Within,
+            1 => Side::Above,
+            _ => Side::Below,
+        }
+    }
+
+    /// The same mode with kink `kink` on another side.
+    #[must_use]
+    pub fn with_side(self, kink: usize, side: crate::element::Side) -> Self {
+        Self(self.0 & !(3 << (2 * kink)) | (side as u32) << (2 * kink))
+    }
+}
+
+/// First-order equations ẋ = f(t, mode, x) in `N` states, smooth within a mode, with the switches at which the mode
+/// changes.
+///
+/// Within a step the mode is held: `rate` must continue each piece smoothly some way past its end.
+pub trait System<const N: usize>: Clone {
+    /// How many switches there are (two a symmetric kink).
+    const SWITCHES: usize = 0;
+
+    /// Names of the kinds of events, as `event_kind` counts them.
+    const EVENT_KINDS: &'static [&'static str] = &[];
+
+    /// ẋ.
+    fn rate<R: Real>(&self, t: R, mode: Mode, x: &[R; N]) -> [R; N];
+
+    /// The mode in which a motion at `x` goes on.
+    fn mode(&self, t: f64, x: &[f64; N]) -> Mode {
+        let _ = (t, x);
+        Mode::default()
+    }
+
+    /// Value of switch `which`: positive as long as the mode holds on its account, `None` where it does not apply in
+    /// this mode. The switch happens where the value falls through 0.
+    #[inline(always)]
+    fn switch<R: Real>(&self, which: usize, t: R, mode: Mode, x: &[R; N]) -> Option<R> {
+        let _ = (which, t, mode, x);
+        None
+    }
+
+    /// The mode after switch `which`.
+    fn cross(&self, which: usize, mode: Mode) -> Mode {
+        let _ = which;
+        mode
+    }
+
+    /// Index into `EVENT_KINDS` of switch `which`.
+    fn event_kind(&self, which: usize) -> usize {
+        which
+    }
+}
+
+/// A system with its tables: everything that a listed model has.
+pub trait Model<const N: usize>: System<N> + 'static {
+    /// Public name.
+    const NAME: &'static str;
+    /// One line for people.
+    const TITLE: &'static str;
+    /// Parameters, in the order of `new`'s values.
+    const PARAMETERS: &'static [Parameter];
+    /// State variables, in the order of the state.
+    const STATE: &'static [StateVariable];
+
+    /// The system for checked parameter values, in table order.
+    fn new(values: &[f64]) -> Self;
+
+    /// The state just after an impulse: an angular one in N m s about the steering axis.
+    fn kicked(&self, x: &[f64; N], impulse: f64) -> [f64; N];
+
+    /// The same gear without freeplay, where it has any: what a rattle is told by.
+    fn without_freeplay(&self) -> Option<Self> {
+        None
+    }
+}

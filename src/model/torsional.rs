@@ -1,0 +1,395 @@
+//! The torsional nose landing gear on a stretched-string tire.
+
+use serde::Serialize;
+
+use super::{Mode, Model, System};
+use crate::{
+    element::{Boundary, Side, freeplay::spring_angle, tire_law::PiecewiseTireLaw},
+    parameter::{Parameter, Scale, StateVariable, Validity},
+    real::Real,
+};
+
+/// State ψ: torsion angle.
+pub const PSI: usize = 0;
+/// State ψ̇: torsion rate.
+pub const PSI_RATE: usize = 1;
+/// State y: lateral deformation of the tire.
+pub const Y: usize = 2;
+
+const SIDE_FORCE: usize = 0;
+const ALIGNING: usize = 1;
+const FREEPLAY: usize = 2;
+
+/// A wheel that turns about a steering axis by the angle ψ against a spring and a damper, and is steered by its own tire.
+///
+/// # Equations
+/// ```text
+/// I_z ψ̈ = −k s(ψ) − c ψ̇ − (κ/v) ψ̇ + M_z(α) − e F_y(α)
+/// ẏ     = v ψ + (e − a) ψ̇ − (v/σ) y
+/// α     = arctan(y/σ)
+/// ```
+/// s is the spring's angle with freeplay ([`spring_angle`]), F_y and M_z the piecewise tire law ([`PiecewiseTireLaw`]).
+///
+/// # State
+/// | name | symbol | unit | positive |
+/// | --- | --- | --- | --- |
+/// | `torsionAngle` | ψ | rad | counter-clockwise from above |
+/// | `torsionRate` | ψ̇ | rad/s | as ψ |
+/// | `lateralDeformation` | y | m | leading contact point to the left of the wheel plane |
+///
+/// # Assumptions
+/// Constant speed on a flat, dry runway; a rigid wheel and a rigid leg but for torsion; kinematics linear in ψ (vψ, not
+/// v sin ψ); no slip in the contact line but through the limit of F_y.
+///
+/// # Limits
+/// v > 0. Amplitudes beyond about 0.5 rad leave the range of the kinematics. With ψ_fp = 0 there is no gap and no switch
+/// for it. The equations are odd in the state, and homogeneous in (state, ψ_fp) while the tire is in its linear range.
+///
+/// # References
+/// G. Somieski, *Aerospace Science and Technology* 8 (1997) 545–555; used by E. Atabay, *Dynamics of a Landing Gear
+/// Mechanism*, Istanbul Technical University, 2012, ch. 5 and 6. Here k is the stiffness and c the damping constant, both
+/// positive; Somieski prints them, κ and c_Mα negative, and with the two letters swapped.
+///
+/// # Example
+/// ```
+/// use shimmy::{Run, model::torsional::PSI};
+///
+/// // At 80 m/s a damping of 20 N m s/rad does not hold the wheel: from 0.01 rad it grows to a limit cycle.
+/// let run = Run::of("torsional")?.with("velocity", 80.0)?.with("dampingConstant", 20.0)?.starting("torsionAngle", 0.01)?;
+/// let motion = run.lasting(6.0)?.simulate()?;
+/// let late = motion.states[PSI].iter().skip(motion.time.len() - 100).fold(0.0_f64, |m, psi| m.max(psi.abs()));
+/// assert!((late - 0.26508).abs() < 2e-3);
+/// # Ok::<(), shimmy::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Torsional {
+    velocity: f64,
+    /// e − a
+    lever: f64,
+    /// v/σ
+    relaxation_rate: f64,
+    /// 1/σ
+    slip_ratio: f64,
+    /// 1/I_z
+    mobility: f64,
+    stiffness: f64,
+    /// c + κ/v
+    damping: f64,
+    caster_length: f64,
+    freeplay: f64,
+    law: PiecewiseTireLaw,
+}
+
+/// Forces at a state: what a drawing shows.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Forces {
+    /// α \[rad\].
+    pub slip_angle: f64,
+    /// F_y \[N\].
+    pub side_force: f64,
+    /// M_z \[N m\].
+    pub aligning_moment: f64,
+    /// |α| > δ: the side force does not grow any more.
+    pub side_force_limited: bool,
+    /// s(ψ) \[rad\]: the angle that winds the spring.
+    pub spring_angle: f64,
+    /// −k s(ψ) \[N m\].
+    pub spring_torque: f64,
+}
+
+impl Torsional {
+    /// Forces at the state `x`.
+    pub fn forces(&self, x: &[f64; 3]) -> Forces {
+        let mode = self.mode(0.0, x);
+        let q = x[Y] * self.slip_ratio;
+        let spring_angle = self.spring_angle(mode, x[PSI]);
+        Forces {
+            slip_angle: q.atan(),
+            side_force: self.law.side_force(q, mode.side(SIDE_FORCE)),
+            aligning_moment: self.law.aligning_moment(q, mode.side(ALIGNING)),
+            side_force_limited: mode.side(SIDE_FORCE) != Side::Within,
+            spring_angle,
+            spring_torque: -self.stiffness * spring_angle,
+        }
+    }
+
+    #[inline(always)]
+    fn spring_angle<R: Real>(&self, mode: Mode, psi: R) -> R {
+        if self.freeplay == 0.0 { psi } else { spring_angle(psi, self.freeplay, mode.side(FREEPLAY)) }
+    }
+}
+
+impl System<3> for Torsional {
+    const SWITCHES: usize = 6;
+    const EVENT_KINDS: &'static [&'static str] = &["side-force-limit", "aligning-moment-limit", "freeplay"];
+
+    #[inline(always)]
+    fn rate<R: Real>(&self, _t: R, mode: Mode, x: &[R; 3]) -> [R; 3] {
+        let [psi, psi_rate, y] = *x;
+        let q = y * self.slip_ratio;
+        let side_force = self.law.side_force(q, mode.side(SIDE_FORCE));
+        let aligning_moment = self.law.aligning_moment(q, mode.side(ALIGNING));
+        let spring = self.spring_angle(mode, psi) * self.stiffness;
+        let torque = aligning_moment - side_force * self.caster_length - spring - psi_rate * self.damping;
+        [psi_rate, torque * self.mobility, psi * self.velocity + psi_rate * self.lever - y * self.relaxation_rate]
+    }
+
+    fn mode(&self, t: f64, x: &[f64; 3]) -> Mode {
+        let q = x[Y] * self.slip_ratio;
+        let y_rate = self.rate(t, Mode::default(), x)[Y];
+        let mut mode = Mode::default()
+            .with_side(SIDE_FORCE, Side::of(q, y_rate, self.law.side_force_limit()))
+            .with_side(ALIGNING, Side::of(q, y_rate, self.law.aligning_limit()));
+        if self.freeplay > 0.0 {
+            mode = mode.with_side(FREEPLAY, Side::of(x[PSI], x[PSI_RATE], self.freeplay));
+        }
+        mode
+    }
+
+    #[inline(always)]
+    fn switch<R: Real>(&self, which: usize, _t: R, mode: Mode, x: &[R; 3]) -> Option<R> {
+        let kink = which / 2;
+        let boundary = if which % 2 == 0 { Boundary::Upper } else { Boundary::Lower };
+        let (quantity, limit) = match kink {
+            SIDE_FORCE => (x[Y] * self.slip_ratio, self.law.side_force_limit()),
+            ALIGNING => (x[Y] * self.slip_ratio, self.law.aligning_limit()),
+            _ if self.freeplay > 0.0 => (x[PSI], self.freeplay),
+            _ => return None,
+        };
+        mode.side(kink).margin(boundary, quantity, limit)
+    }
+
+    fn cross(&self, which: usize, mode: Mode) -> Mode {
+        let kink = which / 2;
+        let boundary = if which % 2 == 0 { Boundary::Upper } else { Boundary::Lower };
+        mode.with_side(kink, mode.side(kink).across(boundary))
+    }
+
+    fn event_kind(&self, which: usize) -> usize {
+        which / 2
+    }
+}
+
+impl Model<3> for Torsional {
+    const NAME: &'static str = "torsional";
+    const TITLE: &'static str = "Torsional nose landing gear on a stretched-string tire";
+    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
+    const STATE: &'static [StateVariable] = &STATE;
+
+    fn new(values: &[f64]) -> Self {
+        let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, delta, alpha_g, kappa, freeplay] = values else {
+            unreachable!("a checked run has as many values as the table has parameters")
+        };
+        Self {
+            velocity: v,
+            lever: e - a,
+            relaxation_rate: v / sigma,
+            slip_ratio: 1.0 / sigma,
+            mobility: 1.0 / i_z,
+            stiffness: k,
+            damping: c + kappa / v,
+            caster_length: e,
+            freeplay,
+            law: PiecewiseTireLaw::new(c_f_alpha * f_z, c_m_alpha * f_z, delta, alpha_g),
+        }
+    }
+
+    fn kicked(&self, x: &[f64; 3], impulse: f64) -> [f64; 3] {
+        [x[PSI], x[PSI_RATE] + impulse * self.mobility, x[Y]]
+    }
+
+    fn without_freeplay(&self) -> Option<Self> {
+        (self.freeplay > 0.0).then(|| Self { freeplay: 0.0, ..self.clone() })
+    }
+}
+
+/// Values that the links σ = 3a and κ = 0.15 a² c_Fα F_z would give: an offer, never applied by the crate itself.
+///
+/// `half_contact_length` a \[m\], `side_force_derivative` c_Fα \[1/rad\], `vertical_force` F_z \[N\] → (σ \[m\],
+/// κ \[N m²/rad\]). Source: the relations that hold among Somieski's data.
+pub fn linked(half_contact_length: f64, side_force_derivative: f64, vertical_force: f64) -> (f64, f64) {
+    let a = half_contact_length;
+    (3.0 * a, 0.15 * a * a * side_force_derivative * vertical_force)
+}
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// The parameter table. The linear gear takes the entries that it has from here.
+pub(super) const PARAMETERS: [Parameter; 14] = [
+    Parameter {
+        name: "velocity",
+        symbol: "v",
+        unit: "m/s",
+        default: 50.0,
+        min: 1.0,
+        max: 120.0,
+        scale: Scale::Linear,
+        doc: "Taxiing velocity, constant during a run. Any value > 0 is valid.",
+        validity: Validity::Positive,
+    },
+    Parameter {
+        name: "casterLength",
+        symbol: "e",
+        unit: "m",
+        default: 0.1,
+        min: -0.5,
+        max: 0.5,
+        scale: Scale::Linear,
+        doc: "Caster length (mechanical trail), positive when the contact centre trails the steering axis. Any finite value is valid.",
+        validity: Validity::Finite,
+    },
+    Parameter {
+        name: "halfContactLength",
+        symbol: "a",
+        unit: "m",
+        default: 0.1,
+        min: 0.01,
+        max: 0.3,
+        scale: Scale::Linear,
+        doc: "Half of the length over which the tire touches the ground. Any value > 0 is valid.",
+        validity: Validity::Positive,
+    },
+    Parameter {
+        name: "relaxationLength",
+        symbol: "σ",
+        unit: "m",
+        default: 0.3,
+        min: 0.02,
+        max: 1.0,
+        scale: Scale::Linear,
+        doc: "Relaxation length of the tire, 3a in the published data. Any value > 0 is valid.",
+        validity: Validity::Positive,
+    },
+    Parameter {
+        name: "momentOfInertia",
+        symbol: "I_z",
+        unit: "kg m²",
+        default: 1.0,
+        min: 0.1,
+        max: 10.0,
+        scale: Scale::Log,
+        doc: "Moment of inertia about the steering axis. Any value > 0 is valid.",
+        validity: Validity::Positive,
+    },
+    Parameter {
+        name: "torsionalStiffness",
+        symbol: "k",
+        unit: "N m/rad",
+        default: 100_000.0,
+        min: 0.0,
+        max: 300_000.0,
+        scale: Scale::Linear,
+        doc: "Torsional stiffness, positive when it turns the wheel back. Any value ≥ 0 is valid.",
+        validity: Validity::NonNegative,
+    },
+    Parameter {
+        name: "dampingConstant",
+        symbol: "c",
+        unit: "N m s/rad",
+        default: 10.0,
+        min: 0.0,
+        max: 200.0,
+        scale: Scale::Linear,
+        doc: "Torsional damping constant, positive when it takes energy out. Any value ≥ 0 is valid.",
+        validity: Validity::NonNegative,
+    },
+    Parameter {
+        name: "verticalForce",
+        symbol: "F_z",
+        unit: "N",
+        default: 9000.0,
+        min: 0.0,
+        max: 50_000.0,
+        scale: Scale::Linear,
+        doc: "Vertical force on the wheel. Any value ≥ 0 is valid.",
+        validity: Validity::NonNegative,
+    },
+    Parameter {
+        name: "sideForceDerivative",
+        symbol: "c_Fα",
+        unit: "1/rad",
+        default: 20.0,
+        min: 1.0,
+        max: 50.0,
+        scale: Scale::Linear,
+        doc: "Slope of the side force at small slip angle, per unit of vertical force. Any value ≥ 0 is valid.",
+        validity: Validity::NonNegative,
+    },
+    Parameter {
+        name: "aligningMomentDerivative",
+        symbol: "c_Mα",
+        unit: "m/rad",
+        default: 2.0,
+        min: 0.0,
+        max: 5.0,
+        scale: Scale::Linear,
+        doc: "Slope of the aligning moment at small slip angle, per unit of vertical force. Any value ≥ 0 is valid.",
+        validity: Validity::NonNegative,
+    },
+    Parameter {
+        name: "sideForceLimitAngle",
+        symbol: "δ",
+        unit: "rad",
+        default: 5.0 * DEGREE,
+        min: DEGREE,
+        max: 15.0 * DEGREE,
+        scale: Scale::Linear,
+        doc: "Slip angle at which the side force stops growing. Any value > 0 is valid; from 90° on it is never reached.",
+        validity: Validity::Positive,
+    },
+    Parameter {
+        name: "aligningMomentLimitAngle",
+        symbol: "α_g",
+        unit: "rad",
+        default: 10.0 * DEGREE,
+        min: 2.0 * DEGREE,
+        max: 30.0 * DEGREE,
+        scale: Scale::Linear,
+        doc: "Slip angle beyond which there is no aligning moment. Any value > 0 is valid; from 90° on it is never reached.",
+        validity: Validity::Positive,
+    },
+    Parameter {
+        name: "treadWidthMomentConstant",
+        symbol: "κ",
+        unit: "N m²/rad",
+        default: 270.0,
+        min: 0.0,
+        max: 2000.0,
+        scale: Scale::Linear,
+        doc: "Damping by the width of the tread, which acts as κ/v; 0.15 a² c_Fα F_z in the published data. Any value ≥ 0 is valid.",
+        validity: Validity::NonNegative,
+    },
+    Parameter {
+        name: "freeplayAngle",
+        symbol: "ψ_fp",
+        unit: "rad",
+        default: 0.0,
+        min: 0.0,
+        max: 3.0 * DEGREE,
+        scale: Scale::Linear,
+        doc: "Freeplay: half of the gap in which the spring does not act. Any value ≥ 0 is valid.",
+        validity: Validity::NonNegative,
+    },
+];
+
+/// The state table, which the linear gear shares.
+pub(super) const STATE: [StateVariable; 3] = [
+    StateVariable {
+        name: "torsionAngle",
+        symbol: "ψ",
+        unit: "rad",
+        scale: 0.1,
+        doc: "Torsion angle of the wheel about the steering axis, positive counter-clockwise from above.",
+    },
+    StateVariable {
+        name: "torsionRate", symbol: "ψ̇", unit: "rad/s", scale: 30.0, doc: "Rate of the torsion angle."
+    },
+    StateVariable {
+        name: "lateralDeformation",
+        symbol: "y",
+        unit: "m",
+        scale: 0.02,
+        doc: "Lateral deformation of the leading contact point of the tire, positive to the left of the wheel plane.",
+    },
+];

@@ -1,0 +1,3 @@
+//! Runs.
+/// A run.
+pub struct Run;
