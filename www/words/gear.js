@@ -5,7 +5,8 @@
  */
 
 export const gearEn = {
-  decimalMark: '.',
+  /** @type {import('./number.js').Language} decides the decimal sign */
+  language: 'en',
   top: 'TOP',
   drawnToScale: 'drawn to scale',
   drawnLarger: 'angles and tire drawn ×\u2009{factor}, the scale shows true degrees',
@@ -19,14 +20,15 @@ export const gearEn = {
   side: 'SIDE',
   seenFromTheRight: 'seen from the right',
   steeringAxis: 'steering axis',
-  wheelTrails: 'caster: the wheel trails its axis',
-  wheelLeads: 'caster: the wheel leads its axis',
-  wheelCentered: 'no caster: the wheel stands on its axis',
+  caster: 'caster',
+  wheelTrails: 'the wheel trails its axis',
+  wheelLeads: 'the wheel leads its axis',
+  wheelCentered: 'the wheel stands on its axis',
 };
 
 /** @type {typeof gearEn} */
 export const gearTr = {
-  decimalMark: ',',
+  language: 'tr',
   top: 'ÜSTTEN',
   drawnToScale: 'ölçekli çizim',
   drawnLarger: 'açılar ve lastik {factor} kat büyük, ölçek gerçek dereceyi gösterir',
@@ -34,13 +36,14 @@ export const gearTr = {
   trackOnTheGround: 'yerdeki iz',
   atItsLimit: ', sınırında',
   spring: 'yay',
-  damper: 'sönümleyici',
+  damper: 'amortisör',
   gap: 'boşluk ±{angle} ({factor} kat büyük)',
   gapShort: 'boşluk ±{angle}',
   side: 'YANDAN',
   seenFromTheRight: 'sağdan görünüş',
   steeringAxis: 'dönme ekseni',
-  wheelTrails: 'kaster: tekerlek eksenini izliyor',
-  wheelLeads: 'kaster: tekerlek ekseninin önünde',
-  wheelCentered: 'kaster yok: tekerlek ekseninin altında',
+  caster: 'kaster',
+  wheelTrails: 'tekerlek eksenini izliyor',
+  wheelLeads: 'tekerlek ekseninin önünde',
+  wheelCentered: 'tekerlek ekseninin altında',
 };

@@ -7,9 +7,9 @@
 import { translucent } from './theme.js';
 
 /** The pattern repeats after this many metres, more than any sheet shows. */
-const PERIOD = 12;
+const PERIOD = 8;
 const JOINT_SPACING = 1;
-const SPECKLES = 460;
+const SPECKLES = 700;
 /** The shortest streak [m], that of a runway at rest. */
 const SHORTEST = 0.012;
 
@@ -58,7 +58,7 @@ function drawSpeckles(ctx, sheet, scene, theme) {
   const visible = sheet.width / sheet.scale;
   const inset = 4;
   ctx.lineCap = 'round';
-  ctx.strokeStyle = translucent(theme.ghost, 0.28 / (1 + 6 * exposure));
+  ctx.strokeStyle = translucent(theme.ghost, 0.26 / (1 + 6 * exposure));
   for (let layer = 0; layer < 2; layer++) {
     ctx.lineWidth = (layer === 0 ? 1 : 1.8) * sheet.line;
     ctx.beginPath();
@@ -89,7 +89,7 @@ function drawJoints(ctx, sheet, scene, theme) {
   const smear = Math.min(0.5, Math.max(0, scene.exposure));
   const width = 0.009 + smear;
   const first = wrap(-scene.roll, JOINT_SPACING);
-  ctx.fillStyle = translucent(theme.rule, 0.009 / width + 0.25);
+  ctx.fillStyle = translucent(theme.rule, Math.min(1, 0.5 * (0.009 / width) + 0.35));
   for (let x = first; (x - width) * sheet.scale < sheet.width; x += JOINT_SPACING) {
     ctx.fillRect((x - width) * sheet.scale, top, width * sheet.scale, bottom - top);
   }

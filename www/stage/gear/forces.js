@@ -1,0 +1,110 @@
+/**
+ * What the ground does to the tire: side force and aligning moment, in true proportion to the
+ * run's full scale.
+ *
+ * @module
+ */
+
+import { drawArrow, fillHead } from './arrow.js';
+import { bendAt } from './contact-line.js';
+import { onSheet } from './pose.js';
+
+/** @typedef {import('./sheet.js').Sheet} Sheet */
+/** @typedef {import('./pose.js').Pose} Pose */
+/** @typedef {import('./scene.js').Scene} Scene */
+/** @typedef {import('./theme.js').Theme} Theme */
+
+/** The longest arrow as a share of the band's half height, and the longest arc [rad]. */
+const LONGEST_ARROW = 1.02;
+const LONGEST_ARC = 1.05;
+/** The arc's distance behind the contact centre, beyond the wheel's radius [m]. */
+const ARC_CLEARANCE = 0.05;
+
+/**
+ * @typedef {object} ForceArrows
+ * @property {{from: {x: number, y: number}, to: {x: number, y: number}, length: number}} side
+ * @property {{x: number, y: number, radius: number, start: number, end: number}} moment
+ *   centre [px], and canvas angles [rad]: clockwise from the x axis
+ */
+
+/**
+ * @param {Sheet} sheet
+ * @param {Scene} scene
+ * @param {Pose} pose
+ * @param {import('./contact-line.js').ContactLine} line
+ * @returns {ForceArrows}
+ */
+export function forceArrows(sheet, scene, pose, line) {
+  const { sideForce, aligningMoment } = scene.forces;
+  const { force, moment } = scene.forceScale;
+  const longest = (LONGEST_ARROW * (sheet.band.bottom - sheet.band.top)) / 2;
+  const length = longest * share(sideForce, force);
+  const bend = bendAt(line, pose, 0);
+  const from = onSheet(sheet, pose, 0, bend);
+  const centre = onSheet(sheet, pose, 0, 0);
+  const start = Math.PI - pose.angle;
+  return {
+    side: { from, to: onSheet(sheet, pose, 0, bend + length / sheet.scale), length: Math.abs(length) },
+    moment: {
+      x: centre.x,
+      y: centre.y,
+      radius: (pose.radius + ARC_CLEARANCE) * sheet.scale,
+      start,
+      end: start - LONGEST_ARC * share(aligningMoment, moment),
+    },
+  };
+}
+
+/** A value as a share of its full scale, −1.25 … 1.25. @param {number} value @param {number} full */
+function share(value, full) {
+  const ratio = full > 0 && Number.isFinite(value) ? value / full : 0;
+  return Math.min(1.25, Math.max(-1.25, ratio));
+}
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {ForceArrows} arrows
+ * @param {Theme} theme
+ */
+export function drawForces(ctx, sheet, arrows, theme) {
+  drawMoment(ctx, sheet, arrows.moment, theme);
+  if (arrows.side.length < 1) return;
+  drawArrow(ctx, arrows.side.from, arrows.side.to, {
+    colour: theme.force,
+    halo: theme.surface,
+    width: 4.5 * sheet.line,
+    head: 17 * sheet.line,
+  });
+}
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {ForceArrows['moment']} moment
+ * @param {Theme} theme
+ */
+function drawMoment(ctx, sheet, moment, theme) {
+  const { x, y, radius, start, end } = moment;
+  const length = radius * Math.abs(end - start);
+  if (length < 1) return;
+  const counterClockwise = end < start;
+  const head = Math.min(16 * sheet.line, length);
+  const neck = end + (counterClockwise ? 1 : -1) * ((0.8 * head) / radius);
+  // The head points along the arc's chord under it, so that it sits on the curve.
+  const chord = end + (counterClockwise ? 1 : -1) * (head / (2 * radius));
+  const direction = chord + (counterClockwise ? -Math.PI / 2 : Math.PI / 2);
+  const tip = { x: x + radius * Math.cos(end), y: y + radius * Math.sin(end) };
+  for (const [colour, extra] of /** @type {const} */ ([
+    [theme.ground, 4],
+    [theme.force, 0],
+  ])) {
+    ctx.strokeStyle = colour;
+    ctx.fillStyle = colour;
+    ctx.lineWidth = 3.4 * sheet.line + extra;
+    ctx.beginPath();
+    ctx.arc(x, y, radius, start, neck, counterClockwise);
+    ctx.stroke();
+    fillHead(ctx, tip.x, tip.y, direction, head);
+  }
+}

@@ -1,0 +1,151 @@
+/**
+ * Fork, axle and steering axis from above. They turn with ψ and do not bend.
+ *
+ * @module
+ */
+
+import { materialsFor } from './materials.js';
+import { inWheelFrame } from './pose.js';
+import { WHEEL_WIDTH } from './sheet.js';
+import { translucent } from './theme.js';
+
+/** @typedef {import('./sheet.js').Sheet} Sheet */
+/** @typedef {import('./pose.js').Pose} Pose */
+/** @typedef {import('./theme.js').Theme} Theme */
+
+/** From the wheel plane to the middle of an arm [m]. */
+const ARM = WHEEL_WIDTH / 2 + 0.028;
+const ARM_WIDTH = 0.032;
+const CROWN_RADIUS = 0.052;
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Pose} pose
+ * @param {Theme} theme
+ */
+export function drawFork(ctx, sheet, pose, theme) {
+  const materials = materialsFor(theme);
+  inWheelFrame(ctx, sheet, pose, () => {
+    drawAxle(ctx, sheet, pose, materials);
+    ctx.lineCap = 'round';
+    ctx.lineJoin = 'round';
+    for (const [width, colour] of /** @type {const} */ ([
+      [ARM_WIDTH * sheet.scale + 2.4 * sheet.line, materials.metalEdge],
+      [ARM_WIDTH * sheet.scale, materials.metal],
+    ])) {
+      traceArms(ctx, sheet, pose);
+      ctx.strokeStyle = colour;
+      ctx.lineWidth = width;
+      ctx.stroke();
+    }
+    ctx.save();
+    ctx.translate(-0.15 * ARM_WIDTH * sheet.scale, -0.22 * ARM_WIDTH * sheet.scale);
+    traceArms(ctx, sheet, pose);
+    ctx.strokeStyle = translucent(materials.metalLit, 0.85);
+    ctx.lineWidth = 0.26 * ARM_WIDTH * sheet.scale;
+    ctx.stroke();
+    ctx.restore();
+    ctx.lineCap = 'butt';
+    drawNuts(ctx, sheet, pose, materials);
+    drawCrown(ctx, sheet, materials);
+  });
+}
+
+/**
+ * From one axle end round the wheel to the crown on the steering axis and on to the other end.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Pose} pose
+ */
+function traceArms(ctx, sheet, pose) {
+  const axle = -pose.caster * sheet.scale;
+  const arm = ARM * sheet.scale;
+  ctx.beginPath();
+  ctx.moveTo(axle, -arm);
+  ctx.bezierCurveTo(0.45 * axle, -arm, 0, -arm, 0, 0);
+  ctx.bezierCurveTo(0, arm, 0.45 * axle, arm, axle, arm);
+}
+
+/**
+ * The axle runs inside the wheel, so it is only seen through it.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Pose} pose
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawAxle(ctx, sheet, pose, materials) {
+  const half = ARM * sheet.scale;
+  const width = 0.024 * sheet.scale;
+  ctx.fillStyle = translucent(materials.metal, 0.42);
+  ctx.fillRect(-pose.caster * sheet.scale - width / 2, -half, width, 2 * half);
+}
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Pose} pose
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawNuts(ctx, sheet, pose, materials) {
+  const length = 0.056 * sheet.scale;
+  const width = 0.03 * sheet.scale;
+  ctx.fillStyle = materials.metal;
+  ctx.strokeStyle = materials.metalEdge;
+  ctx.lineWidth = 1.2 * sheet.line;
+  for (const side of [-1, 1]) {
+    const middle = side * (ARM + 0.5 * ARM_WIDTH) * sheet.scale;
+    ctx.beginPath();
+    ctx.roundRect(-pose.caster * sheet.scale - length / 2, middle - width / 2, length, width, 3);
+    ctx.fill();
+    ctx.stroke();
+  }
+}
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawCrown(ctx, sheet, materials) {
+  const radius = CROWN_RADIUS * sheet.scale;
+  const shine = ctx.createRadialGradient(-0.35 * radius, -0.4 * radius, 0, 0, 0, 1.1 * radius);
+  shine.addColorStop(0, materials.metalLit);
+  shine.addColorStop(1, materials.metal);
+  ctx.beginPath();
+  ctx.arc(0, 0, radius, 0, 2 * Math.PI);
+  ctx.fillStyle = shine;
+  ctx.fill();
+  ctx.strokeStyle = materials.metalEdge;
+  ctx.lineWidth = 1.4 * sheet.line;
+  ctx.stroke();
+}
+
+/**
+ * The steering axis: a ring with a cross, which stays where it is.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Theme} theme
+ */
+export function drawSteeringAxis(ctx, sheet, theme) {
+  const { x, y } = sheet.axis;
+  const radius = 0.036 * sheet.scale;
+  const arm = 0.62 * radius;
+  ctx.beginPath();
+  ctx.arc(x, y, radius, 0, 2 * Math.PI);
+  ctx.fillStyle = translucent(theme.surface, 0.88);
+  ctx.fill();
+  ctx.strokeStyle = theme.ink;
+  ctx.lineWidth = 2 * sheet.line;
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.moveTo(x - arm, y);
+  ctx.lineTo(x + arm, y);
+  ctx.moveTo(x, y - arm);
+  ctx.lineTo(x, y + arm);
+  ctx.lineWidth = 1.6 * sheet.line;
+  ctx.stroke();
+}

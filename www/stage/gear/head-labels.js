@@ -1,0 +1,75 @@
+/**
+ * The names of the steering head's parts, and how large its gap is drawn.
+ *
+ * @module
+ */
+
+import { formatNumber } from '../../words/number.js';
+import { putLabel, fill } from './desk.js';
+import { DRAWN_GAP } from './head.js';
+import { protractorBox } from './protractor.js';
+import { plain, strong, widthOf, write } from './text.js';
+
+/** @typedef {import('./desk.js').Desk} Desk */
+
+const DEGREES = 180 / Math.PI;
+
+/** @param {Desk} desk */
+export function writeHeadLabels(desk) {
+  const { sheet } = desk;
+  desk.placer.blockCircle({ ...sheet.head, radius: sheet.head.radius + 2 });
+  if (sheet.detailed) {
+    writeDamper(desk);
+    writeSpring(desk);
+  }
+  writeGap(desk);
+}
+
+/** @param {Desk} desk */
+function writeDamper({ ctx, sheet, theme, words }) {
+  const { head, small } = sheet;
+  const runs = [plain(words.damper)];
+  const width = widthOf(ctx, runs, small, theme);
+  const y = head.y - 0.93 * head.radius;
+  const style = { size: small, colour: theme.ink2, halo: theme.page };
+  write(ctx, runs, { x: sheet.width - 8 - width, y }, style, theme);
+}
+
+/** @param {Desk} desk */
+function writeSpring(desk) {
+  const { sheet, theme, words } = desk;
+  const { head, small } = sheet;
+  const style = { size: small, colour: theme.psi, halo: theme.ground, farthest: 80 };
+  putLabel(desk, [plain(words.spring)], style, (width, height) =>
+    [-0.2, -0.1, 0, 0.1, -0.3, 0.2, 0.9, 0.95].map((share) => ({
+      x: head.x - head.radius * Math.sqrt(1 - share * share) - 8 - width,
+      y: head.y + share * head.radius - height / 2,
+    })),
+  );
+}
+
+/** The gap, with the factor by which it is drawn larger. @param {Desk} desk */
+function writeGap(desk) {
+  const { ctx, sheet, scene, theme, words } = desk;
+  const freeplay = scene.parameters['freeplayAngle'] ?? 0;
+  if (!(freeplay > 0)) return;
+  const { head, small } = sheet;
+  const degrees = freeplay * DEGREES;
+  const decimals = Math.abs(degrees - Math.round(degrees)) < 1e-9 ? 0 : degrees < 0.1 ? 3 : 2;
+  const angle = `${formatNumber(degrees, decimals, words.language)}°`;
+  const times = DRAWN_GAP / freeplay;
+  const factor = formatNumber(times, times < 10 ? 1 : 0, words.language);
+  const right = sheet.width - 14;
+  const protractor = protractorBox(sheet);
+  const room = right - protractor.x - protractor.width - 4;
+  const long = [strong(fill(words.gap, { angle, factor }))];
+  const runs =
+    widthOf(ctx, long, small, theme) <= room ? long : [strong(fill(words.gapShort, { angle, factor }))];
+  const style = { size: small, colour: theme.freeplayText, halo: theme.ground };
+  putLabel(desk, runs, style, (width, height) => [
+    { x: right - width, y: head.y + head.radius + 6 },
+    { x: right - width, y: head.y + head.radius + 3 },
+    { x: head.x - head.radius - 6 - width, y: sheet.band.top + 8 },
+    { x: head.x - head.radius - 6 - width, y: head.y + head.radius - height },
+  ]);
+}

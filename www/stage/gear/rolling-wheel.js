@@ -1,0 +1,179 @@
+/**
+ * The wheel from the right, turning at v/R: two faces and the tread between them.
+ *
+ * @module
+ */
+
+import { WHEEL_WIDTH } from './sheet.js';
+import { translucent } from './theme.js';
+
+/** @typedef {import('./side.js').SideFrame} SideFrame */
+
+/** Radii as shares of the wheel's. */
+const BEAD = 0.6;
+const RIM = 0.54;
+const HOLES = 0.355;
+const HOLE = 0.085;
+const BOSS = 0.19;
+const COUNT = 6;
+/** Width of the outer face as a share of the tire's: shoulders round the rest off. */
+const FACE = 0.72;
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {SideFrame} frame
+ * @param {import('./scene.js').Scene} scene
+ * @param {import('./pose.js').Pose} pose
+ * @param {import('./theme.js').Theme} theme
+ * @param {import('./materials.js').Materials} materials
+ * @param {() => void} drawInFront what stands between the wheel and the eye
+ */
+export function drawRollingWheel(ctx, sheet, frame, scene, pose, theme, materials, drawInFront) {
+  const radius = pose.radius * frame.scale;
+  const depth = (FACE / 2) * WHEEL_WIDTH * frame.scale * pose.sin;
+  const x = frame.x + frame.centre * frame.scale;
+  const y = frame.ground - frame.axle * frame.scale;
+  const narrow = Math.abs(pose.cos);
+
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(0, frame.top, sheet.width, frame.ground - frame.top);
+  ctx.clip();
+
+  ctx.fillStyle = materials.rubber;
+  ctx.strokeStyle = materials.rubberEdge;
+  ctx.lineWidth = 1.6 * sheet.line;
+  traceTread(ctx, x, y, radius, narrow, depth);
+  ctx.fill();
+  ctx.stroke();
+
+  ctx.translate(x + depth, y);
+  ctx.scale(narrow, 1);
+  drawSidewall(ctx, sheet, radius, materials);
+  drawDisc(ctx, sheet, radius, materials);
+  drawHoles(ctx, sheet, radius, scene, pose, theme, materials);
+  ctx.restore();
+
+  drawInFront();
+}
+
+/**
+ * The hull of both faces.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {number} x
+ * @param {number} y
+ * @param {number} radius
+ * @param {number} narrow
+ * @param {number} depth
+ */
+function traceTread(ctx, x, y, radius, narrow, depth) {
+  const half = Math.abs(depth);
+  ctx.beginPath();
+  ctx.ellipse(x + half, y, radius * narrow, radius, 0, -Math.PI / 2, Math.PI / 2);
+  ctx.ellipse(x - half, y, radius * narrow, radius, 0, Math.PI / 2, (3 * Math.PI) / 2);
+  ctx.closePath();
+}
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {number} radius
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawSidewall(ctx, sheet, radius, materials) {
+  const wall = ctx.createRadialGradient(0, 0, BEAD * radius, 0, 0, radius);
+  wall.addColorStop(0, materials.rubber);
+  wall.addColorStop(0.45, materials.rubberLit);
+  wall.addColorStop(0.8, materials.rubberLit);
+  wall.addColorStop(1, materials.rubber);
+  ctx.beginPath();
+  ctx.arc(0, 0, 0.985 * radius, 0, 2 * Math.PI);
+  ctx.fillStyle = wall;
+  ctx.fill();
+  ctx.strokeStyle = translucent(materials.groove, 0.7);
+  ctx.lineWidth = sheet.line;
+  for (const share of [0.9, 0.7]) {
+    ctx.beginPath();
+    ctx.arc(0, 0, share * radius, 0, 2 * Math.PI);
+    ctx.stroke();
+  }
+}
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {number} radius
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawDisc(ctx, sheet, radius, materials) {
+  const rim = RIM * radius;
+  const shine = ctx.createLinearGradient(-rim, -rim, rim, rim);
+  shine.addColorStop(0, materials.metalLit);
+  shine.addColorStop(0.5, materials.metal);
+  shine.addColorStop(1, materials.metalShade);
+  ctx.beginPath();
+  ctx.arc(0, 0, rim, 0, 2 * Math.PI);
+  ctx.fillStyle = shine;
+  ctx.fill();
+  ctx.strokeStyle = materials.metalEdge;
+  ctx.lineWidth = 1.6 * sheet.line;
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.arc(0, 0, 0.88 * rim, 0, 2 * Math.PI);
+  ctx.strokeStyle = translucent(materials.metalShade, 0.9);
+  ctx.lineWidth = 1.2 * sheet.line;
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.arc(0, 0, BOSS * radius, 0, 2 * Math.PI);
+  ctx.fillStyle = materials.metalShade;
+  ctx.fill();
+  ctx.strokeStyle = materials.metalEdge;
+  ctx.stroke();
+}
+
+/**
+ * Holes round the hub; one bolt in ψ's blue, so that turning is seen. When a frame turns the wheel
+ * so far that the holes would seem to stand or run back, they blur into a ring.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {number} radius
+ * @param {import('./scene.js').Scene} scene
+ * @param {import('./pose.js').Pose} pose
+ * @param {import('./theme.js').Theme} theme
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawHoles(ctx, sheet, radius, scene, pose, theme, materials) {
+  const spacing = (2 * Math.PI) / COUNT;
+  const turnPerFrame = Math.abs(scene.exposure) / pose.radius;
+  const blurred = Math.min(1, Math.max(0, (turnPerFrame / spacing - 0.3) / 0.15));
+  if (blurred > 0) {
+    ctx.beginPath();
+    ctx.arc(0, 0, HOLES * radius, 0, 2 * Math.PI);
+    ctx.strokeStyle = translucent(materials.rubberLit, 0.4 * blurred);
+    ctx.lineWidth = 2 * HOLE * radius;
+    ctx.stroke();
+  }
+  if (blurred === 1) return;
+  const turned = scene.roll / pose.radius;
+  ctx.globalAlpha = 1 - blurred;
+  ctx.lineWidth = 1.2 * sheet.line;
+  ctx.strokeStyle = materials.metalEdge;
+  for (let i = 0; i < COUNT; i++) {
+    const angle = (turned % (2 * Math.PI)) + i * spacing;
+    ctx.beginPath();
+    ctx.arc(
+      HOLES * radius * Math.cos(angle),
+      HOLES * radius * Math.sin(angle),
+      HOLE * radius,
+      0,
+      2 * Math.PI,
+    );
+    ctx.fillStyle = i === 0 ? theme.psi : materials.rubberLit;
+    ctx.fill();
+    ctx.stroke();
+  }
+  ctx.globalAlpha = 1;
+}

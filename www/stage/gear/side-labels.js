@@ -1,0 +1,139 @@
+/**
+ * The side view's words and dimensions: contact length and caster under the ground line.
+ *
+ * @module
+ */
+
+import { formatNumber } from '../../words/number.js';
+import { fillHead } from './arrow.js';
+import { sideFrame } from './side.js';
+import { plain, strong, symbol, widthOf, write } from './text.js';
+
+/** @typedef {import('./desk.js').Desk} Desk */
+/** @typedef {import('./side.js').SideFrame} SideFrame */
+
+const MARGIN = 16;
+
+/** @param {number} metres @param {import('../../words/number.js').Language} language */
+function millimetres(metres, language) {
+  const mm = Math.abs(metres) * 1000;
+  return `${formatNumber(mm, Math.abs(mm - Math.round(mm)) < 1e-6 ? 0 : 1, language)} mm`;
+}
+
+/** @param {Desk} desk */
+export function writeSideLabels(desk) {
+  const frame = sideFrame(desk.sheet, desk.pose);
+  if (!frame) return;
+  writeView(desk, frame);
+  writeSteeringAxis(desk, frame);
+  writeContactLength(desk, frame);
+  writeCaster(desk, frame);
+}
+
+/** @param {Desk} desk @param {SideFrame} frame */
+function wheelSpan({ pose }, frame) {
+  const middle = frame.x + frame.centre * frame.scale;
+  const half = 1.1 * pose.radius * frame.scale;
+  const top = frame.ground - (frame.axle + pose.radius) * frame.scale;
+  return { left: middle - half, right: middle + half, top };
+}
+
+/** @param {Desk} desk @param {SideFrame} frame */
+function writeView(desk, frame) {
+  const { ctx, sheet, theme, words } = desk;
+  const whole = [strong(`${words.side}: ${words.seenFromTheRight}`)];
+  const wheel = wheelSpan(desk, frame);
+  const y = frame.top + 0.5 * sheet.small + 10;
+  const clear = y + 0.7 * sheet.small < wheel.top;
+  const room = clear ? frame.x - 0.1 * frame.scale : wheel.left - 6;
+  const fits = MARGIN + widthOf(ctx, whole, sheet.small, theme) <= room;
+  const style = { size: sheet.small, colour: theme.ink2, halo: theme.page };
+  write(ctx, fits ? whole : [strong(words.side)], { x: MARGIN, y }, style, theme);
+}
+
+/** Right of the torque links, where the wheel leaves room. @param {Desk} desk @param {SideFrame} frame */
+function writeSteeringAxis(desk, frame) {
+  const { ctx, sheet, theme, words } = desk;
+  const { small } = sheet;
+  const y = frame.top + 0.5 * small + 10;
+  const x = frame.x + 0.165 * frame.scale + 10;
+  const wheel = wheelSpan(desk, frame);
+  if (y + 0.7 * small >= wheel.top && x < wheel.right) return;
+  const style = { size: small, colour: theme.ink2, halo: theme.page };
+  write(ctx, [plain(words.steeringAxis)], { x, y }, style, theme);
+}
+
+/** @param {Desk} desk @param {SideFrame} frame */
+function writeContactLength({ ctx, sheet, pose, theme, words }, frame) {
+  const runs = [strong('2'), symbol('a'), strong(` ${millimetres(2 * pose.half, words.language)}`)];
+  const size = sheet.label;
+  const middle = frame.x + frame.centre * frame.scale;
+  const left = Math.min(middle - pose.half * pose.cos * frame.scale, frame.x);
+  const x = Math.max(6, left - 10 - widthOf(ctx, runs, size, theme));
+  const style = { size, colour: theme.y, halo: theme.page };
+  write(ctx, runs, { x, y: frame.ground + 19 }, style, theme);
+}
+
+/**
+ * The caster between axis and axle, with what it means.
+ *
+ * @param {Desk} desk
+ * @param {SideFrame} frame
+ */
+function writeCaster(desk, frame) {
+  const { ctx, sheet, pose, theme, words } = desk;
+  const y = frame.ground + 17;
+  const axle = frame.x + frame.centre * frame.scale;
+  drawDimension(ctx, sheet, Math.min(frame.x, axle), Math.max(frame.x, axle), frame.ground, theme);
+
+  const style = { size: sheet.label, colour: theme.ink, halo: theme.page };
+  const runs = [
+    plain(`${words.caster} `),
+    symbol('e'),
+    strong(` ${pose.caster < 0 ? '−' : ''}${millimetres(pose.caster, words.language)}`),
+  ];
+  const x = Math.max(frame.x, axle) + 12;
+  write(ctx, runs, { x, y: y + 2 }, style, theme);
+
+  const meaning =
+    pose.caster > 0 ? words.wheelTrails : pose.caster < 0 ? words.wheelLeads : words.wheelCentered;
+  const caption = [plain(meaning)];
+  const quiet = { ...style, size: sheet.small, colour: theme.ink2 };
+  const width = widthOf(ctx, caption, sheet.small, theme);
+  const behind = x + widthOf(ctx, runs, sheet.label, theme) + 16;
+  const right = sheet.width - MARGIN - width;
+  const wheel = wheelSpan(desk, frame);
+  if (behind <= right) write(ctx, caption, { x: behind, y: y + 2 }, quiet, theme);
+  else if (wheel.right < right) {
+    write(ctx, caption, { x: right, y: frame.ground - sheet.small }, quiet, theme);
+  }
+}
+
+/**
+ * Extension lines and arrows; the arrows turn outside where there is little room between.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {number} left
+ * @param {number} right
+ * @param {number} ground
+ * @param {import('./theme.js').Theme} theme
+ */
+function drawDimension(ctx, sheet, left, right, ground, theme) {
+  const y = ground + 17;
+  ctx.strokeStyle = theme.ink;
+  ctx.fillStyle = theme.ink;
+  ctx.lineWidth = 1.2 * sheet.line;
+  ctx.beginPath();
+  for (const x of [left, right]) {
+    ctx.moveTo(x, ground + 5);
+    ctx.lineTo(x, y + 5);
+  }
+  ctx.moveTo(left, y);
+  ctx.lineTo(right, y);
+  ctx.stroke();
+  const head = 7 * sheet.line;
+  if (right - left < 2.2 * head) return;
+  fillHead(ctx, left, y, Math.PI, head);
+  fillHead(ctx, right, y, 0, head);
+}

@@ -1,0 +1,254 @@
+/**
+ * The labels of the top view. They stand off the wheel: those of the tire on the side to which it
+ * is deformed, ψ on the other. A value near zero takes its label away with it.
+ *
+ * @module
+ */
+
+import { formatNumber } from '../../words/number.js';
+import { drawArrow } from './arrow.js';
+import { putLabel, fill } from './desk.js';
+import { FORK_REACH, onSheet } from './pose.js';
+import { atAngle, protractorBox, WEDGE } from './protractor.js';
+import { WHEEL_WIDTH } from './sheet.js';
+import { plain, strong, subscript, symbol, widthOf } from './text.js';
+
+/** @typedef {import('./desk.js').Desk} Desk */
+/** @typedef {import('./tire.js').TireShape} TireShape */
+/** @typedef {import('./forces.js').ForceArrows} ForceArrows */
+
+const DEGREES = 180 / Math.PI;
+const MARGIN = 16;
+
+/** A label appears while what it names grows from 2 to 6 pixels. @param {number} pixels */
+const opacityFor = (pixels) => Math.min(1, Math.max(0, (Math.abs(pixels) - 2) / 4));
+
+/** Decimals of an angle or a length that is drawn this much larger. @param {number} magnification */
+const decimalsAt = (magnification) => (magnification < 20 ? 1 : 2);
+
+/**
+ * The labels that stay where they are: what is drawn and how, and how fast it rolls.
+ *
+ * @param {Desk} desk
+ */
+export function writeTopNotes(desk) {
+  const { ctx, sheet, scene, theme, words, placer } = desk;
+  const { small, label, band } = sheet;
+  placer.blockBox(protractorBox(sheet));
+
+  const velocity = scene.parameters['velocity'] ?? 0;
+  const decimals = Number.isInteger(velocity) ? 0 : 1;
+  const speed = formatNumber(velocity, decimals, words.language);
+  const arrow = 0.115 * sheet.width;
+  const right = sheet.width - MARGIN;
+  const style = { size: label, colour: theme.ink2, halo: theme.ground };
+  const speedLabel = [symbol('v'), strong(` ${speed} m/s`)];
+  const written = putLabel(desk, speedLabel, style, (width, height) => [
+    { x: right - arrow - 8 - width, y: band.bottom - 5 - height },
+  ]);
+  if (written) {
+    const y = written.y + written.height / 2;
+    const ink = { colour: theme.ink2, halo: null, width: 1.6 * sheet.line, head: 9 * sheet.line };
+    drawArrow(ctx, { x: right - arrow, y }, { x: right, y }, ink);
+    placer.blockBox({ x: right - arrow, y: y - 6, width: arrow, height: 12 });
+  }
+
+  const free = (written?.x ?? right) - 12 - MARGIN;
+  const larger = scene.magnification !== 1;
+  const factor = formatNumber(scene.magnification, 0, words.language);
+  const how = larger
+    ? [words.drawnLarger, words.drawnLargerShort].map((word) => fill(word, { factor }))
+    : [words.drawnToScale];
+  const lines = [...how.map((text) => `${words.top}: ${text}`), how[how.length - 1] ?? ''];
+  const fitting = lines.find((line) => widthOf(ctx, [strong(line)], small, theme) <= free);
+  const tone = { ...style, size: small, colour: larger ? theme.freeplayText : theme.ink2 };
+  putLabel(desk, [strong(fitting ?? words.top)], tone, (_, height) => [
+    { x: MARGIN, y: band.bottom - 6 - height },
+  ]);
+
+  if (!sheet.detailed) return;
+  const green = { size: small, colour: theme.y, halo: theme.ground, farthest: 60 };
+  putLabel(desk, [plain(words.trackOnTheGround)], green, () => [{ x: MARGIN, y: band.top + 12 }]);
+}
+
+/**
+ * @param {Desk} desk
+ * @param {TireShape} shape
+ * @param {ForceArrows} arrows
+ */
+export function writeTopLabels(desk, shape, arrows) {
+  blockMovingParts(desk, shape, arrows);
+  const side = desk.pose.deformation < 0 ? -1 : 1;
+  writeTorsionAngle(desk, -side);
+  writeSideForce(desk, arrows);
+  if (desk.sheet.detailed) {
+    writeDeformation(desk, side);
+    writeSlipAngle(desk, side);
+  }
+  writeAligningMoment(desk, arrows);
+}
+
+/**
+ * @param {Desk} desk
+ * @param {TireShape} shape
+ * @param {ForceArrows} arrows
+ */
+function blockMovingParts({ sheet, pose, placer }, shape, arrows) {
+  const corner = (/** @type {number} */ l, /** @type {number} */ n) => onSheet(sheet, pose, l, n);
+  const half = WHEEL_WIDTH / 2 + 0.008;
+  const low = Math.min(...shape.bend) - half;
+  const high = Math.max(...shape.bend) + half;
+  const { radius, caster } = pose;
+  placer.blockPolygon([
+    corner(-radius, low), corner(radius, low), corner(radius, high), corner(-radius, high),
+  ]);
+  const back = Math.min(0, caster) - 0.04;
+  const front = Math.max(0, caster) + 0.06;
+  placer.blockPolygon([
+    corner(back, -FORK_REACH), corner(front, -FORK_REACH),
+    corner(front, FORK_REACH), corner(back, FORK_REACH),
+  ]);
+  placer.blockLine(corner(radius, 0), atAngle(sheet, sheet.protractor, pose.angle), 3);
+  placer.blockLine(
+    corner(pose.half, pose.deformation),
+    corner(pose.half + pose.relaxation, 0),
+    3,
+  );
+  const wedge = WEDGE * sheet.protractor + 3;
+  placer.blockPolygon([sheet.axis, atAngle(sheet, wedge, 0), atAngle(sheet, wedge, pose.angle)]);
+  if (arrows.side.length > 1) placer.blockLine(arrows.side.from, arrows.side.to, 9 * sheet.line);
+  const { x, y, radius: arc, start, end } = arrows.moment;
+  const pieces = 4;
+  const at = (/** @type {number} */ i) => {
+    const angle = start + ((end - start) * i) / pieces;
+    return { x: x + arc * Math.cos(angle), y: y + arc * Math.sin(angle) };
+  };
+  for (let i = 0; i < pieces; i++) placer.blockLine(at(i), at(i + 1), 8 * sheet.line);
+}
+
+/** @param {Desk} desk @param {number} side 1 above the line straight ahead, −1 below it */
+function writeTorsionAngle(desk, side) {
+  const { sheet, scene, pose, theme, words } = desk;
+  const psi = (scene.state[0] ?? 0) * DEGREES;
+  const number = formatNumber(psi, decimalsAt(scene.magnification), words.language);
+  const sign = /^[0.,]*$/.test(number) || number.startsWith('−') ? '' : '+';
+  const wedge = WEDGE * sheet.protractor;
+  const covered = Math.max(0, side * wedge * Math.sin(pose.angle));
+  const style = { size: sheet.large, colour: theme.psi, halo: theme.ground };
+  putLabel(desk, [symbol('ψ'), strong(` ${sign}${number}°`)], style, (width, height) => {
+    const limit = protractorBox(sheet).x - 4 - width;
+    const x = Math.min(sheet.axis.x + wedge - 0.4 * width, limit);
+    return [7, 13, 19, 26, 34].map((gap) => ({
+      x,
+      y: sheet.axis.y - side * (covered + gap + height / 2) - height / 2,
+    }));
+  });
+}
+
+/** @param {Desk} desk @param {ForceArrows} arrows */
+function writeSideForce(desk, arrows) {
+  const { sheet, scene, theme, words } = desk;
+  const opacity = opacityFor(arrows.side.length);
+  if (opacity === 0) return;
+  const { sideForce, sideForceLimited } = scene.forces;
+  const size = Math.abs(sideForce);
+  const inKilo = scene.forceScale.force >= 1000;
+  const number = formatNumber(inKilo ? size / 1000 : size, inKilo ? 1 : 0, words.language);
+  const limit = sideForceLimited && sheet.detailed ? words.atItsLimit : '';
+  const runs = [symbol('F'), subscript('y'), strong(` ${number} ${inKilo ? 'kN' : 'N'}${limit}`)];
+
+  const { from, to, length } = arrows.side;
+  const reach = Math.max(1, (FORK_REACH * sheet.scale + 12) / length);
+  const x = from.x + reach * (to.x - from.x);
+  const y = from.y + reach * (to.y - from.y);
+  const up = to.y < from.y ? 1 : -1;
+  const style = { size: sheet.label, colour: theme.force, halo: theme.ground, opacity };
+  putLabel(desk, runs, style, (width, height) => {
+    const highest = sheet.band.top + 3;
+    const lowest = sheet.band.bottom - 3 - height;
+    const middle = Math.min(lowest, Math.max(highest, y - height / 2));
+    return [0, 6, 12, 18, 24].flatMap((shift) => {
+      const place = Math.min(lowest, Math.max(highest, middle + up * shift - up * 4));
+      return [
+        { x: x - 13 * sheet.line - width, y: place },
+        { x: x + 13 * sheet.line, y: place },
+      ];
+    });
+  });
+}
+
+/** @param {Desk} desk @param {number} side */
+function writeDeformation(desk, side) {
+  const { ctx, sheet, scene, pose, theme, words } = desk;
+  const opacity = opacityFor(pose.deformation * sheet.scale);
+  if (opacity === 0) return;
+  const y = Math.abs(scene.state[2] ?? 0) * 1000;
+  const number = formatNumber(y, decimalsAt(scene.magnification), words.language);
+  const ring = onSheet(sheet, pose, pose.half, pose.deformation);
+  const edge = side * onSheet(sheet, pose, pose.half, 0).y;
+  const clear = side * edge - side * (0.62 * WHEEL_WIDTH * sheet.scale);
+  const style = { size: sheet.label, colour: theme.y, halo: theme.ground, opacity, farthest: 90 };
+  const box = putLabel(desk, [symbol('y'), strong(` ${number} mm`)], style, (width, height) =>
+    [4, 10, 16, 22, 28, 34, 40].flatMap((gap) =>
+      [8, 26, -0.3 * width].map((dx) => ({
+        x: ring.x + dx,
+        y: clear - side * (gap + height / 2) - height / 2,
+      })),
+    ),
+  );
+  if (!box) return;
+  const foot = {
+    x: Math.min(box.x + box.width - 4, Math.max(box.x + 4, ring.x + 8)),
+    y: side > 0 ? box.y + box.height - 1 : box.y + 1,
+  };
+  ctx.globalAlpha = opacity;
+  ctx.strokeStyle = theme.y;
+  ctx.lineWidth = 1.4 * sheet.line;
+  ctx.beginPath();
+  ctx.moveTo(foot.x, foot.y);
+  ctx.lineTo(ring.x, ring.y - side * 6 * sheet.line);
+  ctx.stroke();
+  ctx.globalAlpha = 1;
+}
+
+/** @param {Desk} desk @param {number} side */
+function writeSlipAngle(desk, side) {
+  const { sheet, scene, pose, theme, words } = desk;
+  const opacity = opacityFor(pose.deformation * sheet.scale);
+  if (opacity === 0) return;
+  const alpha = Math.abs(scene.forces.slipAngle) * DEGREES;
+  const number = formatNumber(alpha, decimalsAt(scene.magnification), words.language);
+  const style = { size: sheet.label, colour: theme.y, halo: theme.ground, opacity, farthest: 110 };
+  putLabel(desk, [symbol('α'), strong(` ${number}°`)], style, (width, height) => {
+    const limit = protractorBox(sheet).x - 4 - width;
+    const along = onSheet(sheet, pose, pose.half + 0.6 * pose.relaxation, 0.4 * pose.deformation);
+    const x = Math.min(along.x - width / 2, limit);
+    return [6, 12, 18, 24, 30, 38].flatMap((gap) =>
+      [0, 14, -14].map((dx) => ({
+        x: Math.min(x + dx, limit),
+        y: along.y - side * (gap + height / 2) - height / 2,
+      })),
+    );
+  });
+}
+
+/** @param {Desk} desk @param {ForceArrows} arrows */
+function writeAligningMoment(desk, arrows) {
+  const { sheet, scene, theme, words } = desk;
+  const { x, y, radius, start, end } = arrows.moment;
+  const opacity = opacityFor(radius * (end - start));
+  if (opacity === 0) return;
+  const decimals = scene.forceScale.moment < 20 ? 1 : 0;
+  const number = formatNumber(Math.abs(scene.forces.aligningMoment), decimals, words.language);
+  const runs = [symbol('M'), subscript('z'), strong(` ${number} N m`)];
+  const style = { size: sheet.label, colour: theme.force, halo: theme.ground, opacity };
+  putLabel(desk, runs, style, (width, height) =>
+    [0.5, 0.25, 0, 0.75, 1].flatMap((share) => {
+      const angle = start + (end - start) * share;
+      return [12, 20].map((gap) => ({
+        x: x + (radius + gap * sheet.line) * Math.cos(angle) - width,
+        y: y + radius * Math.sin(angle) - height / 2,
+      }));
+    }),
+  );
+}
