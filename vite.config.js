@@ -4,6 +4,7 @@
 import { defineConfig } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 import { contentSecurityPolicy } from './scripts/bundle/content-security-policy.js';
+import { notices } from './scripts/bundle/notices.js';
 import { openedFromFile } from './scripts/bundle/opened-from-file.js';
 
 /** The site loads its own files; the single file has none. */
@@ -28,7 +29,7 @@ export default defineConfig(({ mode }) => {
     // A worker of the single file starts from a blob:, where only a classic script runs in every browser.
     worker: { format: single ? 'iife' : 'es' },
     plugins: single
-      ? [viteSingleFile({ outputFileName: 'shimmy.html' }), contentSecurityPolicy()]
-      : [openedFromFile(), contentSecurityPolicy(OWN_FILES)],
+      ? [viteSingleFile({ outputFileName: 'shimmy.html' }), notices('comment'), contentSecurityPolicy()]
+      : [openedFromFile(), notices('file'), contentSecurityPolicy(OWN_FILES)],
   };
 });
