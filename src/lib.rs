@@ -6,10 +6,15 @@
 pub mod element;
 pub mod error;
 pub mod integrate;
+pub mod live;
 pub mod model;
+pub mod outlook;
 pub mod parameter;
 pub mod real;
 pub mod run;
 
 pub use error::{Code, Error, Result};
 pub use run::Run;
+
+#[cfg(target_arch = "wasm32")]
+mod wasm;

@@ -35,6 +35,15 @@ impl Controller {
         factor.clamp(SHRINK, most)
     }
 
+    /// Writes or reads what is remembered. False where what was read makes no sense.
+    pub fn code(&mut self, codec: &mut impl crate::live::Codec) -> bool {
+        let mut rejected = u64::from(self.rejected);
+        codec.number(&mut self.error_before);
+        codec.bits(&mut rejected);
+        self.rejected = rejected != 0;
+        self.error_before > 0.0
+    }
+
     /// Factor for another try after one with `error` > 1 (or not a number).
     pub fn rejected(&mut self, error: f64) -> f64 {
         self.rejected = true;

@@ -48,6 +48,11 @@ impl<const N: usize> Dense<N> {
         Self { c }
     }
 
+    /// Slope of `component` per θ.
+    pub fn slope(&self, theta: f64, component: usize) -> f64 {
+        (1..COEFFICIENTS).rev().fold(0.0, |sum, power| sum * theta + power as f64 * self.c[power][component])
+    }
+
     /// The state at θ.
     #[inline(always)]
     pub fn at(&self, theta: f64) -> [f64; N] {

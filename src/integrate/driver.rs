@@ -4,7 +4,7 @@ use super::{
     controller::{Controller, power},
     dense::{COEFFICIENTS, Dense},
     dop853, dormand_prince,
-    locate::{Ends, Locator},
+    locate::{Ends, Locator, bracketed},
     method::{Method, Scheme},
     rodas, runge_kutta4,
     stages::{Attempt, MOST, Stages},
@@ -347,6 +347,31 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         rate
     }
 
+    /// The turning point of `component` within the last step: its time and value, where its rate changes sign.
+    pub fn turning_point(&mut self, component: usize) -> Option<(f64, f64)> {
+        if self.start_rate[component] * self.f[component] >= 0.0 || self.length == 0.0 {
+            return None;
+        }
+        self.prepare_dense();
+        let rising = self.start_rate[component] > 0.0;
+        let slope = |theta: f64| self.dense.slope(theta, component) * if rising { 1.0 } else { -1.0 };
+        if slope(0.0) <= 0.0 || slope(1.0) >= 0.0 {
+            return None;
+        }
+        let theta = bracketed(0.0, 1.0, &slope);
+        Some((self.from_t + theta * self.length, self.dense.at(theta)[component]))
+    }
+
+    /// The time at which `component` rises through 0 within the last step.
+    pub fn rise_through_zero(&mut self, component: usize) -> Option<f64> {
+        if !(self.from_x[component] < 0.0 && self.x[component] >= 0.0) {
+            return None;
+        }
+        self.prepare_dense();
+        let below = |theta: f64| -self.dense.at(theta)[component];
+        Some(self.from_t + bracketed(0.0, 1.0, &below) * self.length)
+    }
+
     fn prepare_dense(&mut self) {
         if self.dense_ready {
             return;
@@ -476,6 +501,36 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         }
     }
 
+    /// Writes or reads every number of the motion but its system and settings, which are given. False where what was
+    /// read makes no sense.
+    pub(crate) fn code(&mut self, codec: &mut impl crate::live::Codec, system: S) -> bool {
+        self.system = system;
+        let (mut mode, mut from_mode, mut fresh) = (self.mode.0.into(), self.from_mode.0.into(), self.fresh.into());
+        let (mut looking, mut in_place) = (self.stiff_looking.into(), self.in_place.into());
+        let mut scheme = SCHEMES.iter().position(|scheme| *scheme == self.scheme).unwrap_or(0) as u64;
+        let mut stiff = u64::from(self.stats.stiff);
+        let Stats { steps, rejected, evaluations, events, .. } = &mut self.stats;
+        let counts = [&mut mode, &mut from_mode, &mut fresh, &mut looking, &mut in_place, &mut scheme, &mut stiff];
+        for bits in counts.into_iter().chain([steps, rejected, evaluations, events]) {
+            codec.bits(bits);
+        }
+        for number in [&mut self.t, &mut self.h, &mut self.from_t, &mut self.length] {
+            codec.number(number);
+        }
+        let vectors = [&mut self.x, &mut self.from_x, &mut self.f, &mut self.start_rate];
+        for number in vectors.into_iter().chain(&mut self.k).flatten() {
+            codec.number(number);
+        }
+        let Some(scheme) = SCHEMES.get(scheme as usize) else { return false };
+        self.scheme = *scheme;
+        self.controller = controller(*scheme);
+        let sound = self.controller.code(codec);
+        (self.mode, self.from_mode, self.fresh) = (Mode(mode as u32), Mode(from_mode as u32), fresh as u32);
+        (self.stiff_looking, self.in_place, self.stats.stiff) = (looking as u32, in_place as u32, stiff != 0);
+        self.dense_ready = false;
+        sound && self.h > 0.0 && self.length >= 0.0
+    }
+
     /// Length of the fixed step that leads to the next point of its grid, kept through switches.
     fn to_grid(&self) -> f64 {
         let done = (self.t / self.fixed_step + 1e-6).floor();
@@ -510,6 +565,9 @@ fn root_mean_square<const N: usize>(values: &[f64; N], scale: &[f64; N]) -> f64 
 fn order(scheme: Scheme) -> f64 {
     if scheme == Scheme::Dop853 { 8.0 } else { 5.0 }
 }
+
+/// The schemes by the numbers that snapshots know them by.
+const SCHEMES: [Scheme; 4] = [Scheme::DormandPrince, Scheme::Dop853, Scheme::RungeKutta4, Scheme::Rodas];
 
 fn controller(scheme: Scheme) -> Controller {
     match scheme {

@@ -110,7 +110,7 @@ fn first_fall<const M: usize>(course: &[f64; M], low: f64, high: f64, switch: &i
 }
 
 /// Root of `switch` between `low` (positive) and `high` (not): regula falsi of the Illinois kind.
-fn bracketed(mut low: f64, mut high: f64, switch: &impl Fn(f64) -> f64) -> f64 {
+pub(super) fn bracketed(mut low: f64, mut high: f64, switch: &impl Fn(f64) -> f64) -> f64 {
     let (mut at_low, mut at_high) = (switch(low), switch(high));
     if at_low <= 0.0 {
         return low;

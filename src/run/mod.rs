@@ -1,3 +1,257 @@
-//! Runs.
-/// A run.
-pub struct Run;
+//! A run: which model, with which values, from where, for how long, by which method.
+
+mod parse;
+mod problem;
+mod value;
+
+pub(crate) use problem::Posed;
+pub use problem::Problem;
+pub use value::Value;
+
+use crate::{
+    error::{Code, Error, Result},
+    integrate::{Method, Output, Trajectory},
+    live::Simulator,
+    model::{self, Description},
+    outlook::{HORIZON, Outlook},
+    parameter::{Parameter, Validity, check_number, parameter_index, state_index},
+};
+
+/// Most samples, and most times, of one trajectory.
+pub const MOST_SAMPLES: usize = 10_000_000;
+/// Most steps that can be asked for.
+const MOST_STEPS: f64 = 1e9;
+/// Duration of a run that does not say, in s.
+const DURATION: f64 = 2.0;
+/// Tolerances that double precision can serve.
+const RTOL: std::ops::RangeInclusive<f64> = 1e-14..=0.1;
+
+/// A run, checked: whatever is in it makes sense.
+///
+/// Built from a model's defaults by [`Run::of`] and the methods that change one thing each, or read from untyped input
+/// by [`Run::read`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    model: &'static str,
+    parameters: Vec<f64>,
+    initial: Vec<f64>,
+    duration: Option<f64>,
+    method: Method,
+    rtol: f64,
+    atol: Option<f64>,
+    step: f64,
+    max_steps: u64,
+    output: Output,
+}
+
+impl Run {
+    /// A run of the model `name` with its defaults: from rest, 2 s, method `auto`, rtol 10⁻⁸.
+    ///
+    /// # Errors
+    /// An unknown name, with the nearest known one.
+    pub fn of(name: &str) -> Result<Self> {
+        let models = model::list();
+        let description = models.iter().find(|m| m.name == name).ok_or_else(|| {
+            let known: Vec<_> = models.iter().map(|m| m.name).collect();
+            Error::unknown(Code::UnknownName, "model", name, &known)
+        })?;
+        Ok(Self {
+            model: description.name,
+            parameters: description.defaults(),
+            initial: vec![0.0; description.state.len()],
+            duration: None,
+            method: Method::Auto,
+            rtol: 1e-8,
+            atol: None,
+            step: 1e-4,
+            max_steps: 10_000_000,
+            output: Output::Steps,
+        })
+    }
+
+    /// With another value of the parameter `name`.
+    ///
+    /// # Errors
+    /// An unknown name, or a value that is not valid for it.
+    pub fn with(mut self, name: &str, value: f64) -> Result<Self> {
+        let table = self.table();
+        let index = parameter_index(table, name)?;
+        self.parameters[index] = table[index].check(value)?;
+        Ok(self)
+    }
+
+    /// Starting with another value of the state `name`.
+    ///
+    /// # Errors
+    /// An unknown name, or a value that is not finite.
+    pub fn starting(mut self, name: &str, value: f64) -> Result<Self> {
+        let states = self.description().state;
+        let index = state_index(states, name).map_err(|error| Error { field: "initial".into(), ..error })?;
+        self.initial[index] = check_number(name, value, Validity::Finite, states[index].unit)?;
+        Ok(self)
+    }
+
+    /// Until `duration` s.
+    ///
+    /// # Errors
+    /// A duration that is not > 0.
+    pub fn lasting(mut self, duration: f64) -> Result<Self> {
+        self.duration = Some(check_number("duration", duration, Validity::Positive, "s")?);
+        Ok(self)
+    }
+
+    /// By the method `name`.
+    ///
+    /// # Errors
+    /// An unknown name, with the nearest known one.
+    pub fn by(mut self, name: &str) -> Result<Self> {
+        self.method = Method::named(name)?;
+        Ok(self)
+    }
+
+    /// With the fixed step of method `rk4`, in s.
+    ///
+    /// # Errors
+    /// A step that is not > 0.
+    pub fn stepping(mut self, step: f64) -> Result<Self> {
+        self.step = check_number("step", step, Validity::Positive, "s")?;
+        Ok(self)
+    }
+
+    /// To a relative tolerance, and an absolute one of rtol/100 × each state's scale.
+    ///
+    /// # Errors
+    /// A tolerance outside of 10⁻¹⁴ … 0.1.
+    pub fn within(mut self, rtol: f64) -> Result<Self> {
+        if !RTOL.contains(&rtol) {
+            return Err(Error::new(Code::OutOfRange, "rtol", rtol.to_string(), "between 1e-14 and 0.1"));
+        }
+        self.rtol = rtol;
+        Ok(self)
+    }
+
+    /// With one absolute tolerance for all states, as it is.
+    ///
+    /// # Errors
+    /// A tolerance that is not > 0.
+    pub fn within_absolute(mut self, atol: f64) -> Result<Self> {
+        self.atol = Some(check_number("atol", atol, Validity::Positive, "1")?);
+        Ok(self)
+    }
+
+    /// With at most this many steps.
+    ///
+    /// # Errors
+    /// Not a whole number from 1 to 10⁹.
+    pub fn at_most(mut self, steps: f64) -> Result<Self> {
+        if !(steps >= 1.0 && steps <= MOST_STEPS && steps.fract() == 0.0) {
+            return Err(Error::new(Code::OutOfRange, "maxSteps", steps.to_string(), "a whole number from 1 to 1e9"));
+        }
+        self.max_steps = steps as u64;
+        Ok(self)
+    }
+
+    /// With values at these times, the last of which ends the run.
+    ///
+    /// # Errors
+    /// No times, too many, times below 0 or not finite, times that do not ascend.
+    pub fn at(mut self, times: Vec<f64>) -> Result<Self> {
+        check_times(&times)?;
+        self.output = Output::Times(times);
+        Ok(self)
+    }
+
+    /// With `samples` values, equally spaced from 0 to the duration.
+    ///
+    /// # Errors
+    /// Not a whole number from 2 to 10⁷.
+    pub fn sampled(mut self, samples: f64) -> Result<Self> {
+        if !(samples >= 2.0 && samples <= MOST_SAMPLES as f64 && samples.fract() == 0.0) {
+            let code = if samples > MOST_SAMPLES as f64 { Code::TooLarge } else { Code::OutOfRange };
+            return Err(Error::new(code, "samples", samples.to_string(), "a whole number from 2 to 1e7"));
+        }
+        self.output = Output::Samples(samples as usize);
+        Ok(self)
+    }
+
+    /// The model's tables.
+    pub fn description(&self) -> Description {
+        model::list().into_iter().find(|m| m.name == self.model).expect("a run is made for a listed model")
+    }
+
+    /// Values of all parameters, in table order.
+    pub fn parameters(&self) -> &[f64] {
+        &self.parameters
+    }
+
+    /// The state at t = 0, in table order.
+    pub fn initial(&self) -> &[f64] {
+        &self.initial
+    }
+
+    /// How long it lasts, in s: to the last of its times, or its duration (2 s where none is given).
+    pub fn duration(&self) -> f64 {
+        match &self.output {
+            Output::Times(times) => times.last().copied().unwrap_or(DURATION),
+            Output::Samples(_) | Output::Steps => self.duration.unwrap_or(DURATION),
+        }
+    }
+
+    /// How far an outlook sees, in s.
+    pub(crate) fn horizon(&self) -> f64 {
+        self.duration.unwrap_or(HORIZON)
+    }
+
+    /// Most steps it may take.
+    pub(crate) fn max_steps(&self) -> u64 {
+        self.max_steps
+    }
+
+    /// Carries it out.
+    ///
+    /// # Errors
+    /// As [`crate::integrate::solve`]; and a fixed step that is unstable for the equations, or too short for `maxSteps`.
+    pub fn simulate(&self) -> Result<Trajectory> {
+        self.problem().solve()
+    }
+
+    /// What becomes of the motion if nothing changes: see [`Outlook`].
+    ///
+    /// # Errors
+    /// As [`Run::simulate`].
+    pub fn outlook(&self) -> Result<Outlook> {
+        self.problem().outlook()
+    }
+
+    /// The run as a live motion.
+    ///
+    /// # Errors
+    /// As [`Run::simulate`].
+    pub fn live(&self) -> Result<Simulator> {
+        self.problem().live()
+    }
+
+    fn table(&self) -> &'static [Parameter] {
+        self.description().parameters
+    }
+}
+
+fn check_times(times: &[f64]) -> Result<()> {
+    let refused = |code, value: String, allowed: &str| Err(Error::new(code, "times", value, allowed));
+    if times.is_empty() {
+        return refused(Code::OutOfRange, "an empty list".into(), "at least one time");
+    }
+    if times.len() > MOST_SAMPLES {
+        return refused(Code::TooLarge, format!("{} times", times.len()), "at most 1e7 times");
+    }
+    if let Some((i, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
+        return refused(Code::NotFinite, format!("{t} at index {i}"), "finite numbers of s");
+    }
+    if times[0] < 0.0 {
+        return refused(Code::OutOfRange, times[0].to_string(), "≥ 0 s");
+    }
+    if let Some(i) = (1..times.len()).find(|&i| times[i] < times[i - 1]) {
+        return refused(Code::NotAscending, format!("{} after {}", times[i], times[i - 1]), "ascending");
+    }
+    check_number("times", times[times.len() - 1], Validity::NonNegative, "s").map(|_| ())
+}

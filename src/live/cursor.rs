@@ -1,0 +1,77 @@
+//! A moment of a live motion, from which it can be taken up.
+
+use super::snapshot::Codec;
+use crate::{
+    integrate::{Failure, Integrator},
+    model::Model,
+};
+
+/// Most parameters of a model: a cursor is copied often and must not allocate.
+const MOST_PARAMETERS: usize = 40;
+
+/// A change from outside.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Change {
+    Parameter { index: usize, value: f64 },
+    State { index: usize, value: f64 },
+    Kick { impulse: f64 },
+}
+
+/// A motion with the parameter values that hold and the number of changes that have been made.
+#[derive(Clone)]
+pub(super) struct Cursor<M, const N: usize> {
+    pub integrator: Integrator<M, N>,
+    parameters: [f64; MOST_PARAMETERS],
+    /// Changes that have taken effect, counted from the very first.
+    pub applied: usize,
+}
+
+impl<M: Model<N>, const N: usize> Cursor<M, N> {
+    pub fn new(integrator: Integrator<M, N>, parameters: &[f64], applied: usize) -> Self {
+        let mut values = [0.0; MOST_PARAMETERS];
+        values[..parameters.len()].copy_from_slice(parameters);
+        Self { integrator, parameters: values, applied }
+    }
+
+    pub fn parameters(&self) -> &[f64] {
+        &self.parameters[..M::PARAMETERS.len()]
+    }
+
+    /// Makes a change at time `t` within the last step. Where it cannot be made, nothing changes.
+    pub fn apply(&mut self, t: f64, change: Change) -> Result<(), Failure> {
+        let mut x = self.integrator.interpolate(t);
+        match change {
+            Change::Parameter { index, value } => {
+                let mut parameters = self.parameters;
+                parameters[index] = value;
+                self.integrator.replace(M::new(&parameters[..M::PARAMETERS.len()]), t, x)?;
+                self.parameters = parameters;
+            }
+            Change::State { index, value } => {
+                x[index] = value;
+                self.integrator.restart(t, x)?;
+            }
+            Change::Kick { impulse } => {
+                let kicked = self.integrator.system().kicked(&x, impulse);
+                self.integrator.restart(t, kicked)?;
+            }
+        }
+        self.applied += 1;
+        Ok(())
+    }
+
+    /// Writes or reads every number of the cursor. False where what was read makes no sense.
+    pub fn code(&mut self, codec: &mut impl Codec) -> bool {
+        for value in &mut self.parameters[..M::PARAMETERS.len()] {
+            codec.number(value);
+        }
+        let mut applied = self.applied as u64;
+        codec.bits(&mut applied);
+        self.applied = applied as usize;
+        if !M::PARAMETERS.iter().zip(&self.parameters).all(|(parameter, value)| parameter.check(*value).is_ok()) {
+            return false;
+        }
+        let system = M::new(self.parameters());
+        self.integrator.code(codec, system)
+    }
+}

@@ -1,0 +1,214 @@
+//! The live motion of one model.
+
+use super::{
+    INTERVAL,
+    cursor::{Change, Cursor},
+    journal::Journal,
+    keyframes::Keyframes,
+    series::{Columns, Envelope},
+    simulator::Live,
+    snapshot,
+};
+use crate::{
+    error::{Code, Error, Result},
+    integrate::Stats,
+    model::{Description, Model},
+    parameter::{Validity, check_number, parameter_index, state_index},
+    run::{MOST_SAMPLES, Posed},
+};
+
+/// Steps remembered for [`Live::trace`]; when they are full, they are thinned to half.
+const TRACE: usize = 16_384;
+
+/// The present, what was, and the steps not yet fetched.
+pub(crate) struct Motion<M, const N: usize> {
+    posed: Posed<M, N>,
+    present: Cursor<M, N>,
+    /// The time that is shown: within the last step of `present`.
+    time: f64,
+    /// The latest time that has been shown.
+    latest: f64,
+    keyframes: Keyframes<M, N>,
+    journal: Journal,
+    trace: Columns,
+}
+
+impl<M: Model<N>, const N: usize> Motion<M, N> {
+    pub fn start(posed: Posed<M, N>) -> Result<Self> {
+        let present = Cursor::new(posed.motion(INTERVAL)?, posed.run.parameters(), 0);
+        let mut trace = Columns::with_capacity(N, TRACE);
+        trace.push(0.0, present.integrator.state());
+        let keyframes = Keyframes::from(present.clone());
+        Ok(Self { posed, present, time: 0.0, latest: 0.0, keyframes, journal: Journal::after(0), trace })
+    }
+
+    /// Makes a change now.
+    fn change(&mut self, change: Change) -> Result<()> {
+        let before = self.present.clone();
+        self.present.apply(self.time, change).map_err(|_| {
+            let at = self.time.to_string();
+            Error::new(Code::Diverged, "the motion", at, "with this change its rate is not finite; it goes on without")
+        })?;
+        self.journal.write(&before, self.time, change);
+        self.keyframes.forget_after(self.time);
+        self.latest = self.time;
+        self.trace.push(self.time, self.present.integrator.state());
+        Ok(())
+    }
+
+    /// Checks a window of the past.
+    fn check_window(&self, from: f64, to: f64, field: &str, count: f64, least: usize) -> Result<usize> {
+        let [earliest, latest] = self.range();
+        for (name, value) in [("from", from), ("to", to)] {
+            if !(earliest..=latest).contains(&value) {
+                let allowed = format!("within the range {earliest} … {latest} s");
+                return Err(Error::new(Code::OutOfRange, name, value.to_string(), allowed));
+            }
+        }
+        if to < from {
+            return Err(Error::new(Code::NotAscending, "to", to.to_string(), format!("≥ {from} s (from)")));
+        }
+        whole(field, count, least)
+    }
+}
+
+/// A number of rows as a whole number.
+fn whole(field: &str, count: f64, least: usize) -> Result<usize> {
+    if count >= least as f64 && count <= MOST_SAMPLES as f64 && count.fract() == 0.0 {
+        return Ok(count as usize);
+    }
+    let code = if count > MOST_SAMPLES as f64 { Code::TooLarge } else { Code::OutOfRange };
+    Err(Error::new(code, field, count.to_string(), format!("a whole number from {least} to 1e7")))
+}
+
+impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
+    fn description(&self) -> Description {
+        Description::of::<N, M>()
+    }
+
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn range(&self) -> [f64; 2] {
+        [self.keyframes.earliest(self.latest), self.latest]
+    }
+
+    fn state(&mut self) -> Vec<f64> {
+        self.present.integrator.interpolate(self.time).to_vec()
+    }
+
+    fn parameters(&self) -> Vec<f64> {
+        self.present.parameters().to_vec()
+    }
+
+    fn stats(&self) -> Stats {
+        self.present.integrator.stats()
+    }
+
+    fn advance(&mut self, dt: f64) -> Result<()> {
+        let dt = check_number("dt", dt, Validity::NonNegative, "s")?;
+        let target = self.time + dt;
+        let Self { keyframes, trace, journal, present, .. } = self;
+        let outcome = journal.follow(present, target, self.posed.run.max_steps(), |cursor| {
+            keyframes.keep(cursor);
+            if trace.time.len() == TRACE {
+                trace.thin(TRACE / 2);
+            }
+            trace.push(cursor.integrator.time(), cursor.integrator.state());
+        });
+        self.journal.forget_before(self.keyframes.applied());
+        self.time = if outcome.is_ok() { target } else { self.present.integrator.time() };
+        self.latest = self.latest.max(self.time);
+        outcome
+    }
+
+    fn set(&mut self, name: &str, value: f64) -> Result<()> {
+        let index = parameter_index(M::PARAMETERS, name)?;
+        let value = M::PARAMETERS[index].check(value)?;
+        if self.present.parameters()[index] == value {
+            return Ok(());
+        }
+        self.change(Change::Parameter { index, value })
+    }
+
+    fn set_state(&mut self, name: &str, value: f64) -> Result<()> {
+        let index = state_index(M::STATE, name)?;
+        let value = check_number(name, value, Validity::Finite, M::STATE[index].unit)?;
+        self.change(Change::State { index, value })
+    }
+
+    fn kick(&mut self, impulse: f64) -> Result<()> {
+        let impulse = check_number("impulse", impulse, Validity::Finite, "N m s")?;
+        self.change(Change::Kick { impulse })
+    }
+
+    fn reset(&mut self) -> Result<()> {
+        *self = Self::start(Posed::new(self.posed.run.clone()))?;
+        Ok(())
+    }
+
+    fn seek(&mut self, time: f64) -> Result<()> {
+        let [earliest, latest] = self.range();
+        if !(earliest..=latest).contains(&time) {
+            let allowed = format!("within the range {earliest} … {latest} s");
+            return Err(Error::new(Code::OutOfRange, "time", time.to_string(), allowed));
+        }
+        let mut cursor = self.keyframes.before(time);
+        self.journal.follow(&mut cursor, time, u64::MAX, |_| ())?;
+        self.present = cursor;
+        self.time = time;
+        self.trace.clear();
+        Ok(())
+    }
+
+    fn snapshot(&self) -> Vec<u8> {
+        snapshot::write(&self.present, self.time)
+    }
+
+    fn restore(&mut self, bytes: &[u8]) -> Result<()> {
+        let (present, time) = snapshot::read(bytes, &self.present)?;
+        self.keyframes = Keyframes::from(present.clone());
+        self.journal = Journal::after(present.applied);
+        self.trace.clear();
+        (self.present, self.time, self.latest) = (present, time, time);
+        Ok(())
+    }
+
+    fn trace(&mut self, most: f64) -> Result<Columns> {
+        let most = whole("max", most, 16)?;
+        let mut columns = self.trace.clone();
+        self.trace.clear();
+        columns.thin(most);
+        Ok(columns)
+    }
+
+    fn history(&self, from: f64, to: f64, samples: f64) -> Result<Columns> {
+        let samples = self.check_window(from, to, "samples", samples, 2)?;
+        let mut columns = Columns::with_capacity(N, samples);
+        let mut cursor = self.keyframes.before(from);
+        for row in 0..samples {
+            let t = if row + 1 == samples { to } else { from + (to - from) * row as f64 / (samples - 1) as f64 };
+            self.journal.follow(&mut cursor, t, u64::MAX, |_| ())?;
+            columns.push(t, &cursor.integrator.interpolate(t));
+        }
+        Ok(columns)
+    }
+
+    fn envelope(&self, from: f64, to: f64, stretches: f64) -> Result<Envelope> {
+        let stretches = self.check_window(from, to, "buckets", stretches, 1)?;
+        let mut envelope = Envelope::over(from, to, stretches);
+        let width = (to - from).max(f64::MIN_POSITIVE);
+        let mut cursor = self.keyframes.before(from);
+        self.journal.follow(&mut cursor, from, u64::MAX, |_| ())?;
+        envelope.take(0.0, cursor.integrator.interpolate(from)[0]);
+        self.journal.follow(&mut cursor, to, u64::MAX, |cursor| {
+            let motion = &mut cursor.integrator;
+            envelope.take((motion.time() - from) / width, motion.state()[0]);
+            if let Some((t, value)) = motion.turning_point(0) {
+                envelope.take((t - from) / width, value);
+            }
+        })?;
+        Ok(envelope.close())
+    }
+}

@@ -1,0 +1,138 @@
+//! Series for drawing, and how they are thinned without losing a peak.
+
+/// A series: times and one column per state variable.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Columns {
+    /// Times in s.
+    pub time: Vec<f64>,
+    /// One column per state variable, in the order of the state table.
+    pub states: Vec<Vec<f64>>,
+}
+
+impl Columns {
+    /// Empty, with room for `rows` rows of `states` columns.
+    pub(super) fn with_capacity(states: usize, rows: usize) -> Self {
+        Self { time: Vec::with_capacity(rows), states: (0..states).map(|_| Vec::with_capacity(rows)).collect() }
+    }
+
+    pub(super) fn push(&mut self, t: f64, x: &[f64]) {
+        self.time.push(t);
+        for (column, value) in self.states.iter_mut().zip(x) {
+            column.push(*value);
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.time.clear();
+        for column in &mut self.states {
+            column.clear();
+        }
+    }
+
+    /// Keeps about `most` rows, every column's peaks among them.
+    pub(super) fn thin(&mut self, most: usize) {
+        let columns: Vec<&[f64]> = self.states.iter().map(Vec::as_slice).collect();
+        let kept = rows_to_keep(&columns, most);
+        for column in std::iter::once(&mut self.time).chain(&mut self.states) {
+            for (to, &from) in kept.iter().enumerate() {
+                column[to] = column[from];
+            }
+            column.truncate(kept.len());
+        }
+    }
+}
+
+/// Least and greatest value of the first state in equal stretches of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Envelope {
+    /// Middle of each stretch, in s.
+    pub time: Vec<f64>,
+    /// Least values.
+    pub low: Vec<f64>,
+    /// Greatest values.
+    pub high: Vec<f64>,
+}
+
+impl Envelope {
+    /// Empty stretches over \[`from`, `to`\].
+    pub(crate) fn over(from: f64, to: f64, stretches: usize) -> Self {
+        let width = (to - from) / stretches as f64;
+        Self {
+            time: (0..stretches).map(|i| from + (i as f64 + 0.5) * width).collect(),
+            low: vec![f64::INFINITY; stretches],
+            high: vec![f64::NEG_INFINITY; stretches],
+        }
+    }
+
+    /// Takes in the value at the place `at` of the whole, 0 … 1; places outside do not count.
+    pub(crate) fn take(&mut self, at: f64, value: f64) {
+        if !(0.0..=1.0).contains(&at) {
+            return;
+        }
+        let stretch = ((at * self.time.len() as f64) as usize).min(self.time.len() - 1);
+        self.low[stretch] = self.low[stretch].min(value);
+        self.high[stretch] = self.high[stretch].max(value);
+    }
+
+    /// Fills stretches in which no value fell with their neighbours'.
+    pub(crate) fn close(mut self) -> Self {
+        for i in 1..self.time.len() {
+            if self.low[i] > self.high[i] {
+                (self.low[i], self.high[i]) = (self.low[i - 1], self.high[i - 1]);
+            }
+        }
+        for i in (0..self.time.len().saturating_sub(1)).rev() {
+            if self.low[i] > self.high[i] {
+                (self.low[i], self.high[i]) = (self.low[i + 1], self.high[i + 1]);
+            }
+        }
+        self
+    }
+}
+
+/// Rows of a series to keep so that at most about `most` remain and every column keeps its extremes.
+///
+/// The series is cut into stretches; of each, the rows where any column is least or greatest stay. With fewer rows than
+/// asked for, all stay.
+pub(super) fn rows_to_keep(columns: &[&[f64]], most: usize) -> Vec<usize> {
+    let rows = columns.first().map_or(0, |column| column.len());
+    if rows <= most {
+        return (0..rows).collect();
+    }
+    let stretches = (most / (2 * columns.len())).max(1);
+    let mut kept = Vec::with_capacity(most + 2);
+    for stretch in 0..stretches {
+        let (from, to) = (stretch * rows / stretches, (stretch + 1) * rows / stretches);
+        let start = kept.len();
+        for column in columns {
+            let order = |a: &usize, b: &usize| column[*a].total_cmp(&column[*b]);
+            kept.extend((from..to).min_by(order));
+            kept.extend((from..to).max_by(order));
+        }
+        kept[start..].sort_unstable();
+    }
+    kept.dedup();
+    kept.truncate(most.max(2 * columns.len()));
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_peak_stays() {
+        let mut wave: Vec<f64> = (0..10_000).map(|i| (i as f64 * 0.01).sin()).collect();
+        wave[4321] = 7.0;
+        wave[8765] = -9.0;
+        let kept = rows_to_keep(&[&wave], 200);
+        assert!(kept.len() <= 200 && kept.is_sorted());
+        assert!(kept.contains(&4321) && kept.contains(&8765));
+    }
+
+    #[test]
+    fn short_series_stay_whole() {
+        assert_eq!(rows_to_keep(&[&[1.0, 2.0, 3.0]], 3), [0, 1, 2]);
+        assert!(rows_to_keep(&[&[]], 10).is_empty());
+    }
+}

@@ -1,0 +1,104 @@
+//! A moment of a motion as bytes.
+//!
+//! Layout, little endian: magic, format version, hash of the model's tables, then every number of the cursor in turn,
+//! then a hash of all that.
+
+use super::cursor::Cursor;
+use crate::{
+    error::{Code, Error, Result},
+    model::{Description, Model},
+};
+
+const MAGIC: &[u8; 8] = b"shimmy\0\x01";
+
+/// Writes numbers out, or reads them back into their places: the order is the same, so it is told once.
+pub(crate) trait Codec {
+    /// One number.
+    fn number(&mut self, value: &mut f64);
+    /// One count, set of bits, or index.
+    fn bits(&mut self, value: &mut u64);
+}
+
+struct Writer(Vec<u8>);
+
+impl Codec for Writer {
+    fn number(&mut self, value: &mut f64) {
+        self.0.extend(value.to_le_bytes());
+    }
+    fn bits(&mut self, value: &mut u64) {
+        self.0.extend(value.to_le_bytes());
+    }
+}
+
+struct Reader<'a> {
+    rest: &'a [u8],
+    whole: bool,
+}
+
+impl Reader<'_> {
+    fn next(&mut self) -> [u8; 8] {
+        let Some((first, rest)) = self.rest.split_first_chunk() else {
+            self.whole = false;
+            return [0; 8];
+        };
+        self.rest = rest;
+        *first
+    }
+}
+
+impl Codec for Reader<'_> {
+    fn number(&mut self, value: &mut f64) {
+        *value = f64::from_le_bytes(self.next());
+        self.whole &= value.is_finite();
+    }
+    fn bits(&mut self, value: &mut u64) {
+        *value = u64::from_le_bytes(self.next());
+    }
+}
+
+/// The moment `time` of a cursor.
+pub(super) fn write<M: Model<N>, const N: usize>(cursor: &Cursor<M, N>, time: f64) -> Vec<u8> {
+    let mut writer = Writer(MAGIC.to_vec());
+    writer.bits(&mut tables::<M, N>());
+    writer.number(&mut time.clone());
+    cursor.clone().code(&mut writer);
+    let sum = hash(&writer.0);
+    writer.0.extend(sum.to_le_bytes());
+    writer.0
+}
+
+/// The cursor and the time of a snapshot; `like` gives what is not in it (tolerances, method).
+pub(super) fn read<M: Model<N>, const N: usize>(bytes: &[u8], like: &Cursor<M, N>) -> Result<(Cursor<M, N>, f64)> {
+    let refused = |what: &str| Error::new(Code::BadSnapshot, "bytes", what, format!("a snapshot of a {} run", M::NAME));
+    let Some((body, sum)) = bytes.split_last_chunk::<8>() else { return Err(refused("too few bytes")) };
+    let Some(rest) = body.strip_prefix(MAGIC) else { return Err(refused("bytes of something else")) };
+    if u64::from_le_bytes(*sum) != hash(body) {
+        return Err(refused("damaged bytes"));
+    }
+    let mut reader = Reader { rest, whole: true };
+    let (mut model, mut time) = (0, 0.0);
+    reader.bits(&mut model);
+    if model != tables::<M, N>() {
+        return Err(refused("a snapshot of another model"));
+    }
+    reader.number(&mut time);
+    let mut cursor = like.clone();
+    let sound = cursor.code(&mut reader);
+    let within = (cursor.integrator.step_start()..=cursor.integrator.time()).contains(&time);
+    if !(sound && reader.whole && reader.rest.is_empty() && within) {
+        return Err(refused("damaged bytes"));
+    }
+    Ok((cursor, time))
+}
+
+/// Tells models, and versions of their tables, apart.
+fn tables<M: Model<N>, const N: usize>() -> u64 {
+    let Description { name, parameters, state, .. } = Description::of::<N, M>();
+    let names = parameters.iter().map(|p| p.name).chain(state.iter().map(|s| s.name));
+    hash(std::iter::once(name).chain(names).collect::<Vec<_>>().join(" ").as_bytes())
+}
+
+/// FNV-1a: finds accidents, not intent.
+fn hash(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+}

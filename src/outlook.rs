@@ -1,0 +1,314 @@
+//! What becomes of a motion: does it shake, die out, rattle, or grow beyond the model.
+
+use serde::Serialize;
+
+use crate::{
+    error::{Error, Result},
+    integrate::{Failure, Integrator, failed},
+    live::{Columns, Envelope},
+    model::Model,
+    run::Posed,
+};
+
+/// How far ahead one looks where the run does not say, in s.
+pub(crate) const HORIZON: f64 = 6.0;
+/// Swings beyond this leave the range of the kinematics (vψ for v sin ψ), in rad.
+const TRUSTED: f64 = 0.5;
+/// A cycle repeats when its amplitude changes by less than this over [`REPEATS`] cycles.
+const REPEATING: f64 = 2e-8;
+const REPEATS: usize = 5;
+/// A motion has died out when it has fallen to this fraction of its start.
+const GONE: f64 = 1e-5;
+/// At the horizon, an amplitude that changes by less than this a cycle holds.
+const HOLDING: f64 = 1e-5;
+/// Points of the orbit.
+const ORBIT: usize = 128;
+
+/// The verdict, in one word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// Goes to a limit cycle that the tire sustains.
+    Shimmies,
+    /// Goes to rest.
+    DiesOut,
+    /// Goes to a limit cycle that lives on the freeplay: without the gap it would die out.
+    Rattles,
+    /// Grows beyond the range of the model.
+    Grows,
+    /// Does not move, and nothing moves it.
+    Rests,
+}
+
+/// Which way the amplitude goes now.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Trend {
+    /// From cycle to cycle it gets larger.
+    Growing,
+    /// From cycle to cycle it gets smaller.
+    Falling,
+    /// It stays.
+    Steady,
+}
+
+/// What becomes of a motion if nothing changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outlook {
+    /// In one word.
+    pub verdict: Verdict,
+    /// It has arrived there from the start on.
+    pub settled: bool,
+    /// Largest |·| of every state over a cycle of the motion it goes to (or has at the horizon).
+    pub amplitude: Vec<f64>,
+    /// Cycles per second of that motion; none where it does not oscillate.
+    pub frequency: Option<f64>,
+    /// Amplitude of the first state in the first cycle.
+    pub present_amplitude: f64,
+    /// Frequency of the first cycle.
+    pub present_frequency: Option<f64>,
+    /// Which way the amplitude goes at the start.
+    pub trend: Trend,
+    /// Least and greatest value of the first state, cycle by cycle, up to the arrival or the horizon.
+    pub envelope: Envelope,
+    /// One period of the motion it goes to; empty where it goes to rest or beyond.
+    pub orbit: Columns,
+}
+
+/// One cycle, from a rise through zero of the first state to the next.
+#[derive(Clone, Copy)]
+struct Cycle<const N: usize> {
+    start: f64,
+    period: f64,
+    low: f64,
+    high: f64,
+    amplitude: [f64; N],
+}
+
+/// How a look ahead ended.
+enum End<const N: usize> {
+    /// The motion repeats (or holds at the horizon).
+    Repeats,
+    /// It got to nothing, or falls at the horizon.
+    Dies,
+    /// It got to infinity, or grows at the horizon.
+    Grows,
+}
+
+struct Look<M, const N: usize> {
+    motion: Integrator<M, N>,
+    cycles: Vec<Cycle<N>>,
+    /// First turning points of the first state: what is known before a cycle is complete.
+    turns: Vec<(f64, f64)>,
+    end: End<N>,
+}
+
+/// The outlook of a run.
+pub(crate) fn of<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Outlook> {
+    let horizon = posed.run.horizon();
+    let x = posed.initial();
+    let motion = posed.motion(horizon / 20.0)?;
+    if motion.derivative().iter().all(|rate| *rate == 0.0) {
+        return Ok(resting(x));
+    }
+    let mut look = look_ahead(motion, horizon, posed.run.max_steps())?;
+    let (amplitude, frequency) = match look.cycles.last() {
+        Some(cycle) => (cycle.amplitude, Some(1.0 / cycle.period)),
+        None => (std::array::from_fn(|i| look.motion.state()[i].abs()), None),
+    };
+    let verdict = match look.end {
+        End::Dies => Verdict::DiesOut,
+        End::Grows => Verdict::Grows,
+        End::Repeats if amplitude[0] > TRUSTED => Verdict::Grows,
+        End::Repeats if lives_on_freeplay(posed, &look)? => Verdict::Rattles,
+        End::Repeats => Verdict::Shimmies,
+    };
+    let (present_amplitude, present_frequency, trend) = present(&look, x[0]);
+    let orbit = match verdict {
+        Verdict::Shimmies | Verdict::Rattles => orbit(&mut look)?,
+        _ => Columns { time: Vec::new(), states: vec![Vec::new(); N] },
+    };
+    let arrived = matches!(verdict, Verdict::Shimmies | Verdict::Rattles)
+        && (present_amplitude / amplitude[0] - 1.0).abs() < 1e-3;
+    Ok(Outlook {
+        verdict,
+        settled: arrived,
+        amplitude: if verdict == Verdict::DiesOut { vec![0.0; N] } else { amplitude.to_vec() },
+        frequency: if verdict == Verdict::DiesOut { None } else { frequency },
+        present_amplitude,
+        present_frequency,
+        trend: if arrived { Trend::Steady } else { trend },
+        envelope: envelope(&look, x[0]),
+        orbit,
+    })
+}
+
+fn resting<const N: usize>(x: [f64; N]) -> Outlook {
+    Outlook {
+        verdict: Verdict::Rests,
+        settled: true,
+        amplitude: x.map(f64::abs).to_vec(),
+        frequency: None,
+        present_amplitude: x[0].abs(),
+        present_frequency: None,
+        trend: Trend::Steady,
+        envelope: Envelope { time: vec![0.0], low: vec![x[0]], high: vec![x[0]] },
+        orbit: Columns { time: Vec::new(), states: vec![Vec::new(); N] },
+    }
+}
+
+/// Follows the motion until it repeats, is gone, or the horizon is reached.
+fn look_ahead<M: Model<N>, const N: usize>(
+    mut motion: Integrator<M, N>,
+    horizon: f64,
+    most_steps: u64,
+) -> Result<Look<M, N>> {
+    let mut cycles: Vec<Cycle<N>> = Vec::new();
+    let mut turns = Vec::new();
+    let mut open: Option<Cycle<N>> = None;
+    let largest_at_start = size::<M, N>(motion.state());
+    let mut end = None;
+    while motion.time() < horizon && end.is_none() && motion.stats().steps < most_steps {
+        let time = motion.time();
+        match motion.step(horizon) {
+            Ok(_) => {}
+            Err(Failure::Diverged) => {
+                end = Some(End::Grows);
+                break;
+            }
+            Err(failure) => return Err(failed(failure, time)),
+        }
+        for component in 0..N {
+            if let Some((t, value)) = motion.turning_point(component) {
+                if component == 0 && turns.len() < 4 {
+                    turns.push((t, value));
+                }
+                if let Some(cycle) = &mut open {
+                    cycle.amplitude[component] = cycle.amplitude[component].max(value.abs());
+                    if component == 0 {
+                        (cycle.low, cycle.high) = (cycle.low.min(value), cycle.high.max(value));
+                    }
+                }
+            }
+        }
+        if let Some(t) = motion.rise_through_zero(0) {
+            if let Some(cycle) = open.take() {
+                cycles.push(Cycle { period: t - cycle.start, ..cycle });
+                end = judged(&cycles);
+            }
+            open = Some(Cycle { start: t, period: 0.0, low: 0.0, high: 0.0, amplitude: [0.0; N] });
+        }
+        if size::<M, N>(motion.state()) < GONE * largest_at_start {
+            end = Some(End::Dies);
+        }
+        if size::<M, N>(motion.state()) > 1e6 * largest_at_start.max(1.0) {
+            end = Some(End::Grows);
+        }
+    }
+    let end = end.unwrap_or_else(|| at_horizon(&cycles, size::<M, N>(motion.state()) < largest_at_start));
+    Ok(Look { motion, cycles, turns, end })
+}
+
+/// Largest state in units of its scale.
+fn size<M: Model<N>, const N: usize>(x: &[f64; N]) -> f64 {
+    (0..N).fold(0.0, |most: f64, i| most.max(x[i].abs() / M::STATE[i].scale))
+}
+
+/// Whether the last cycles tell the end already.
+fn judged<const N: usize>(cycles: &[Cycle<N>]) -> Option<End<N>> {
+    let last = cycles.last()?.amplitude[0];
+    let before = cycles.get(cycles.len().checked_sub(REPEATS + 1)?)?.amplitude[0];
+    if (last - before).abs() < REPEATING * last { Some(End::Repeats) } else { None }
+}
+
+/// The end of a motion that is still on its way at the horizon.
+fn at_horizon<const N: usize>(cycles: &[Cycle<N>], smaller: bool) -> End<N> {
+    match cycles {
+        [.., before, last] => {
+            let change = last.amplitude[0] / before.amplitude[0] - 1.0;
+            if change < -HOLDING {
+                End::Dies
+            } else if change > HOLDING && last.amplitude[0] > TRUSTED {
+                End::Grows
+            } else {
+                End::Repeats
+            }
+        }
+        _ if smaller => End::Dies,
+        _ => End::Grows,
+    }
+}
+
+/// Takes the gap away, and looks whether the motion dies.
+fn lives_on_freeplay<M: Model<N>, const N: usize>(posed: &Posed<M, N>, look: &Look<M, N>) -> Result<bool> {
+    let Some(system) = posed.system.without_freeplay() else { return Ok(false) };
+    let mut motion = posed.motion(posed.run.horizon() / 20.0)?;
+    motion.replace(system, 0.0, *look.motion.state()).map_err(|failure| failed(failure, 0.0))?;
+    let without = look_ahead(motion, posed.run.horizon(), posed.run.max_steps())?;
+    Ok(matches!(without.end, End::Dies))
+}
+
+/// Amplitude, frequency and trend of the first cycle.
+fn present<M, const N: usize>(look: &Look<M, N>, start: f64) -> (f64, Option<f64>, Trend) {
+    let size = |turn: Option<&(f64, f64)>| turn.map(|(_, value)| value.abs());
+    let amplitude = match (size(look.turns.first()), size(look.turns.get(1))) {
+        (Some(first), Some(second)) => first.max(second),
+        (Some(first), None) => first.max(start.abs()),
+        _ => start.abs(),
+    };
+    let frequency = match look.turns.as_slice() {
+        [first, _, third, ..] => Some(1.0 / (third.0 - first.0)),
+        [first, second] => Some(0.5 / (second.0 - first.0)),
+        _ => None,
+    };
+    let trend = match (look.cycles.as_slice(), &look.end) {
+        ([first, .., last], _) if (last.amplitude[0] / first.amplitude[0] - 1.0).abs() < 1e-6 => Trend::Steady,
+        ([first, second, ..], _) if second.amplitude[0] > first.amplitude[0] => Trend::Growing,
+        ([_, _, ..], _) => Trend::Falling,
+        (_, End::Grows) => Trend::Growing,
+        _ => Trend::Falling,
+    };
+    (amplitude, frequency, trend)
+}
+
+fn envelope<M: Model<N>, const N: usize>(look: &Look<M, N>, start: f64) -> Envelope {
+    let mut envelope = Envelope { time: Vec::new(), low: Vec::new(), high: Vec::new() };
+    let mut take = |t: f64, low: f64, high: f64| {
+        envelope.time.push(t);
+        envelope.low.push(low);
+        envelope.high.push(high);
+    };
+    let reach = look.turns.first().map_or(start.abs(), |(_, value)| value.abs()).max(start.abs());
+    match look.cycles.first() {
+        Some(first) => {
+            take(0.0, first.low.min(-reach), first.high.max(reach));
+            for cycle in &look.cycles {
+                take(cycle.start + 0.5 * cycle.period, cycle.low, cycle.high);
+            }
+        }
+        None => {
+            let last = look.motion.state()[0];
+            take(0.0, start.min(0.0), start.max(0.0));
+            take(look.motion.time(), last.min(0.0), last.max(0.0));
+        }
+    }
+    envelope
+}
+
+/// One period from the last rise through zero.
+fn orbit<M: Model<N>, const N: usize>(look: &mut Look<M, N>) -> Result<Columns> {
+    let mut columns = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
+    let Some(last) = look.cycles.last() else { return Ok(columns) };
+    let start = look.motion.time();
+    for point in 0..=ORBIT {
+        let t = start + last.period * point as f64 / ORBIT as f64;
+        while look.motion.time() < t {
+            look.motion.step(f64::INFINITY).map_err(|failure| -> Error { failed(failure, start) })?;
+        }
+        columns.time.push(t - start);
+        for (column, value) in columns.states.iter_mut().zip(look.motion.interpolate(t)) {
+            column.push(value);
+        }
+    }
+    Ok(columns)
+}

@@ -1,0 +1,129 @@
+//! Reading a run from untyped input.
+
+use super::{Run, Value};
+use crate::error::{Code, Error, Result};
+
+/// The keys of a run.
+const KEYS: [&str; 11] =
+    ["model", "parameters", "initial", "duration", "method", "rtol", "atol", "step", "maxSteps", "times", "samples"];
+
+impl Run {
+    /// Reads a run from a record. A missing key takes its default, an absent value counts as missing.
+    ///
+    /// # Errors
+    /// Anything that is not a record of the known keys with valid values; the error names the field.
+    pub fn read(input: &Value) -> Result<Self> {
+        let entries = record("run", input)?;
+        for (key, _) in entries {
+            if !KEYS.contains(&key.as_str()) {
+                return Err(Error::unknown(Code::UnknownKey, "run", key, &KEYS));
+            }
+        }
+        // Of a key given twice the last counts, as in JavaScript.
+        let given = |key: &str| {
+            entries.iter().rev().find(|(name, _)| name == key).map(|(_, value)| value).filter(|v| **v != Value::Absent)
+        };
+        let model = given("model")
+            .ok_or_else(|| Error::new(Code::Missing, "model", "nothing", "the name of a model, such as torsional"))?;
+        let mut run = Run::of(text("model", model)?)?;
+        if let Some(values) = given("parameters") {
+            for (name, value) in present("parameters", values)? {
+                let number = number_of(&run, name, value)?;
+                run = run.with(name, number)?;
+            }
+        }
+        if let Some(values) = given("initial") {
+            for (name, value) in present("initial", values)? {
+                // An unknown name is said before its value is looked at.
+                run = run.starting(name, 0.0)?.starting(name, number(name, value, "a finite number")?)?;
+            }
+        }
+        if let Some(value) = given("duration") {
+            run = run.lasting(number("duration", value, "> 0 s")?)?;
+        }
+        if let Some(value) = given("method") {
+            run = run.by(text("method", value)?)?;
+        }
+        if let Some(value) = given("rtol") {
+            run = run.within(number("rtol", value, "between 1e-14 and 0.1")?)?;
+        }
+        if let Some(value) = given("atol") {
+            run = run.within_absolute(number("atol", value, "> 0")?)?;
+        }
+        if let Some(value) = given("step") {
+            run = run.stepping(number("step", value, "> 0 s")?)?;
+        }
+        if let Some(value) = given("maxSteps") {
+            run = run.at_most(number("maxSteps", value, "a whole number from 1 to 1e9")?)?;
+        }
+        match (given("times"), given("samples")) {
+            (Some(_), Some(_)) => {
+                return Err(Error::new(Code::OutOfRange, "samples", "both", "given without times: one of the two"));
+            }
+            (Some(times), None) => run = run.at(numbers("times", times)?)?,
+            (None, Some(samples)) => {
+                run = run.sampled(number("samples", samples, "a whole number from 2 to 1e7")?)?;
+            }
+            (None, None) => {}
+        }
+        Ok(run)
+    }
+}
+
+fn number_of(run: &Run, name: &str, value: &Value) -> Result<f64> {
+    let table = run.table();
+    let index = crate::parameter::parameter_index(table, name)?;
+    match value {
+        Value::Number(number) => Ok(*number),
+        // The table's own words for what is allowed.
+        other => match table[index].check(f64::NAN) {
+            Err(error) => Err(Error { code: Code::WrongType, value: other.shown(), ..error }),
+            Ok(_) => Ok(f64::NAN),
+        },
+    }
+}
+
+/// The entries of a record that are there.
+fn present<'a>(field: &str, value: &'a Value) -> Result<impl Iterator<Item = (&'a str, &'a Value)>> {
+    Ok(record(field, value)?
+        .iter()
+        .filter(|(_, value)| *value != Value::Absent)
+        .map(|(key, value)| (key.as_str(), value)))
+}
+
+fn wrong_type(field: &str, value: &Value, allowed: &str) -> Error {
+    Error::new(Code::WrongType, field, value.shown(), allowed)
+}
+
+/// The entries of a record.
+fn record<'a>(field: &str, value: &'a Value) -> Result<&'a [(String, Value)]> {
+    match value {
+        Value::Record(entries) => Ok(entries),
+        other => Err(wrong_type(field, other, "a record of named values")),
+    }
+}
+
+fn text<'a>(field: &str, value: &'a Value) -> Result<&'a str> {
+    match value {
+        Value::Text(text) => Ok(text),
+        other => Err(wrong_type(field, other, "a name in quotes")),
+    }
+}
+
+fn number(field: &str, value: &Value, allowed: &str) -> Result<f64> {
+    match value {
+        Value::Number(number) if !number.is_finite() => {
+            Err(Error::new(Code::NotFinite, field, number.to_string(), allowed))
+        }
+        Value::Number(number) => Ok(*number),
+        other => Err(wrong_type(field, other, allowed)),
+    }
+}
+
+fn numbers(field: &str, value: &Value) -> Result<Vec<f64>> {
+    match value {
+        Value::Numbers(numbers) => Ok(numbers.clone()),
+        Value::List(0) => Ok(Vec::new()),
+        other => Err(wrong_type(field, other, "a list of numbers")),
+    }
+}

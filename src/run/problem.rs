@@ -1,0 +1,121 @@
+//! Where the type of a model is known for the last time.
+
+use super::Run;
+use crate::{
+    error::{Code, Error, Result},
+    integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, jacobian, solve},
+    live::{Motion, Simulator},
+    model::Model,
+    outlook::{self, Outlook},
+};
+
+/// A run whose model has been chosen. Calls through it happen once a trajectory, never within one.
+pub trait Problem {
+    /// The trajectory from start to end.
+    ///
+    /// # Errors
+    /// As [`Run::simulate`].
+    fn solve(&self) -> Result<Trajectory>;
+    /// What becomes of the motion.
+    ///
+    /// # Errors
+    /// As [`Run::outlook`].
+    fn outlook(&self) -> Result<Outlook>;
+    /// The live motion.
+    ///
+    /// # Errors
+    /// As [`Run::live`].
+    fn live(&self) -> Result<Simulator>;
+}
+
+/// A run with the system of its model.
+pub(crate) struct Posed<M, const N: usize> {
+    pub run: Run,
+    pub system: M,
+}
+
+impl Run {
+    /// The run with its model's type erased.
+    pub fn problem(&self) -> Box<dyn Problem> {
+        macro_rules! pose {
+            ($($n:literal, $model:ty;)*) => {
+                $(if self.model == <$model>::NAME {
+                    return Box::new(Posed::<$model, $n>::new(self.clone()));
+                })*
+            };
+        }
+        crate::for_each_model!(pose);
+        unreachable!("a run is made for a listed model")
+    }
+}
+
+/// Largest |hλ| that the classical method takes without growing, least of all directions that matter (imaginary axis
+/// 2.83, real axis 2.79).
+const RK4_STABLE: f64 = 2.7;
+
+impl<M: Model<N>, const N: usize> Posed<M, N> {
+    pub fn new(run: Run) -> Self {
+        let system = M::new(&run.parameters);
+        Self { run, system }
+    }
+
+    /// The state at t = 0.
+    pub fn initial(&self) -> [f64; N] {
+        std::array::from_fn(|i| self.run.initial[i])
+    }
+
+    /// The motion at t = 0, with no step longer than `longest_step`.
+    pub fn motion(&self, longest_step: f64) -> Result<Integrator<M, N>> {
+        let Run { rtol, atol, step, .. } = self.run;
+        let absolute = std::array::from_fn(|i| atol.unwrap_or(rtol / 100.0 * M::STATE[i].scale));
+        self.check_fixed_step()?;
+        let tolerance = Tolerance { relative: rtol, absolute };
+        Integrator::new(self.system.clone(), self.run.method, tolerance, step, longest_step, self.initial())
+            .map_err(|failure| failed(failure, 0.0))
+    }
+
+    /// A fixed step must be stable at the start: beyond that, its result would be finite and worthless.
+    fn check_fixed_step(&self) -> Result<()> {
+        if self.run.method != Method::Always(Scheme::RungeKutta4) {
+            return Ok(());
+        }
+        let step = self.run.step;
+        let x = self.initial();
+        let rows = jacobian(&self.system, self.system.mode(0.0, &x), 0.0, &x);
+        let matrix = nalgebra::DMatrix::from_fn(N, N, |i, j| rows[i][j]);
+        if !matrix.iter().all(|entry| entry.is_finite()) {
+            return Ok(()); // the motion itself says so
+        }
+        let Some(schur) = nalgebra::Schur::try_new(matrix, f64::EPSILON, 1000) else { return Ok(()) };
+        let fastest = schur.complex_eigenvalues().iter().fold(0.0_f64, |most, value| most.max(value.norm()));
+        if step * fastest > RK4_STABLE {
+            let allowed = format!("at most {:.3e} s for rk4 with these parameters", RK4_STABLE / fastest);
+            return Err(Error::new(Code::Unsuited, "step", step.to_string(), allowed));
+        }
+        Ok(())
+    }
+
+    fn check_step_count(&self) -> Result<()> {
+        let Run { step, max_steps, .. } = self.run;
+        if self.run.method == Method::Always(Scheme::RungeKutta4) && self.run.duration() / step > max_steps as f64 {
+            let allowed = format!("long enough to reach {} s in {max_steps} steps (maxSteps)", self.run.duration());
+            return Err(Error::new(Code::TooLarge, "step", step.to_string(), allowed));
+        }
+        Ok(())
+    }
+}
+
+impl<M: Model<N>, const N: usize> Problem for Posed<M, N> {
+    fn solve(&self) -> Result<Trajectory> {
+        self.check_step_count()?;
+        solve(self.motion(f64::INFINITY)?, self.run.duration(), &self.run.output, self.run.max_steps)
+    }
+
+    fn outlook(&self) -> Result<Outlook> {
+        outlook::of(self)
+    }
+
+    fn live(&self) -> Result<Simulator> {
+        Ok(Simulator::new(Box::new(Motion::start(Posed::<M, N>::new(self.run.clone()))?)))
+    }
+}

@@ -1,0 +1,105 @@
+//! The JavaScript API: the only place that knows of JavaScript.
+//!
+//! Every exported function reads its input into a [`Value`], hands it to the crate, and writes the result as plain
+//! objects and `Float64Array`s. Nothing here can panic on input, and methods take `&self`: a panic would leave a
+//! `&mut self` borrowed for ever.
+
+mod input;
+mod output;
+mod simulator;
+
+use wasm_bindgen::prelude::*;
+
+use crate::{
+    Error, Run,
+    integrate::methods as list_of_methods,
+    model::{self, Model, Torsional, torsional},
+    run::Value,
+};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("types.d.ts");
+
+/// A panic is a defect: its message goes to the console before the instance stops.
+#[wasm_bindgen(start)]
+fn start() {
+    std::panic::set_hook(Box::new(|info| web_sys::console::error_1(&info.to_string().into())));
+}
+
+/// Version of the module.
+#[wasm_bindgen]
+pub fn version() -> String {
+    env!("CARGO_PKG_VERSION").into()
+}
+
+/// Tables of all models.
+#[wasm_bindgen(unchecked_return_type = "Model[]")]
+pub fn models() -> Result<JsValue, JsValue> {
+    output::record(&model::list())
+}
+
+/// Table of all methods.
+#[wasm_bindgen(unchecked_return_type = "Method[]")]
+pub fn methods() -> Result<JsValue, JsValue> {
+    output::record(&list_of_methods())
+}
+
+/// Carries out a run.
+#[wasm_bindgen(unchecked_return_type = "Trajectory")]
+pub fn simulate(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
+    let run = read_run(&run)?;
+    output::trajectory(&run, run.simulate().map_err(output::error)?)
+}
+
+/// What becomes of a motion if nothing changes; `duration` is how far ahead it looks (6 s).
+#[wasm_bindgen(unchecked_return_type = "Outlook")]
+pub fn outlook(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
+    let run = read_run(&run)?;
+    output::outlook(&run, run.outlook().map_err(output::error)?)
+}
+
+/// Values that the links σ = 3a and κ = 0.15 a² c_Fα F_z give for these parameters of the torsional gear.
+#[wasm_bindgen(js_name = linkedParameters, unchecked_return_type = "LinkedParameters")]
+pub fn linked_parameters(
+    #[wasm_bindgen(unchecked_param_type = "Parameters | null | undefined")] parameters: JsValue,
+) -> Result<JsValue, JsValue> {
+    let run = torsional_run(&parameters)?;
+    let of = |name: &str| {
+        let index = Torsional::PARAMETERS.iter().position(|p| p.name == name);
+        index.map_or(f64::NAN, |index| run.parameters()[index])
+    };
+    let (sigma, kappa) = torsional::linked(of("halfContactLength"), of("sideForceDerivative"), of("verticalForce"));
+    let record = js_sys::Object::new();
+    output::put(&record, "relaxationLength", &sigma.into());
+    output::put(&record, "treadWidthMomentConstant", &kappa.into());
+    Ok(record.into())
+}
+
+/// Forces of the torsional gear at a state: three numbers in the order of the state table.
+#[wasm_bindgen(unchecked_return_type = "Forces")]
+pub fn forces(
+    #[wasm_bindgen(unchecked_param_type = "Parameters | null | undefined")] parameters: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Float64Array | number[]")] state: JsValue,
+) -> Result<JsValue, JsValue> {
+    let run = torsional_run(&parameters)?;
+    let refused = |got: String| {
+        let allowed = "three finite numbers: torsionAngle, torsionRate, lateralDeformation";
+        output::error(Error::new(crate::Code::WrongType, "state", got, allowed))
+    };
+    match input::value(&state, "state").map_err(output::error)? {
+        Value::Numbers(x) if x.len() == 3 && x.iter().all(|value| value.is_finite()) => {
+            output::record(&Torsional::new(run.parameters()).forces(&[x[0], x[1], x[2]]))
+        }
+        other => Err(refused(other.shown())),
+    }
+}
+
+fn read_run(run: &JsValue) -> Result<Run, JsValue> {
+    input::value(run, "run").and_then(|value| Run::read(&value)).map_err(output::error)
+}
+
+fn torsional_run(parameters: &JsValue) -> Result<Run, JsValue> {
+    let parameters = input::value(parameters, "parameters").map_err(output::error)?;
+    let model = Value::Text(Torsional::NAME.into());
+    Run::read(&Value::Record(vec![("model".into(), model), ("parameters".into(), parameters)])).map_err(output::error)
+}

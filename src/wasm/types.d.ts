@@ -1,0 +1,63 @@
+/** Values of parameters by name, SI units; a missing one takes its default. */
+export type Parameters = Record<string, number>;
+/** One parameter of a table. `min`, `max`: a slider's range; what is valid is wider, see `doc`. */
+export interface Parameter { name: string; symbol: string; unit: string; default: number; min: number; max: number; scale: 'linear' | 'log'; doc: string }
+/** One state variable of a table. `scale`: its typical size. */
+export interface StateVariable { name: string; symbol: string; unit: string; scale: number; doc: string }
+/** A model's tables. */
+export interface Model { name: string; title: string; parameters: Parameter[]; state: StateVariable[] }
+/** A method of integration. `order` 0: depends on the run. */
+export interface Method { name: string; title: string; order: number; adaptive: boolean; stiff: boolean; doc: string }
+/** A run; only `model` is required. SI units. */
+export interface Run {
+  model: string;
+  parameters?: Parameters | null;
+  initial?: Record<string, number> | null;
+  /** s; 2 */
+  duration?: number | null;
+  /** `auto` */
+  method?: string | null;
+  /** 1e-8 */
+  rtol?: number | null;
+  /** rtol/100 × each state's scale; a number applies to all states as it is */
+  atol?: number | null;
+  /** s, of method `rk4`; 1e-4 */
+  step?: number | null;
+  /** 1e7 */
+  maxSteps?: number | null;
+  /** ascending, ≥ 0; the last one ends the run */
+  times?: Float64Array | number[] | null;
+  /** 2 … 1e7, equally spaced from 0 to the duration; not together with `times` */
+  samples?: number | null;
+}
+/** Times and one array per state variable, under its name. */
+export interface Columns { time: Float64Array; torsionAngle: Float64Array; torsionRate: Float64Array; lateralDeformation: Float64Array }
+/** A trajectory: its columns, where piecewise laws changed, and what it has cost. */
+export interface Trajectory extends Columns {
+  events: { time: Float64Array; kind: Uint8Array; kinds: string[] };
+  stats: { method: string; steps: number; rejected: number; evaluations: number; events: number; stiff: boolean };
+}
+/** Least and greatest value of the first state, stretch by stretch. */
+export interface Envelope { time: Float64Array; low: Float64Array; high: Float64Array }
+/** What becomes of a motion. */
+export interface Outlook {
+  verdict: 'shimmies' | 'dies-out' | 'rattles' | 'grows' | 'rests';
+  /** it is there already */
+  settled: boolean;
+  /** largest |·| of every state in the motion it goes to */
+  amplitude: Record<string, number>;
+  /** Hz */
+  frequency: number | null;
+  /** the first cycle from here: amplitude of the first state */
+  present: { amplitude: number; frequency: number | null; trend: 'growing' | 'falling' | 'steady' };
+  /** cycle by cycle, up to the arrival */
+  envelope: Envelope;
+  /** one period of the motion it goes to; empty where it goes to rest or beyond */
+  orbit: Columns;
+}
+/** What the links between parameters give. */
+export interface LinkedParameters { relaxationLength: number; treadWidthMomentConstant: number }
+/** Forces at a state, SI. */
+export interface Forces { slipAngle: number; sideForce: number; aligningMoment: number; sideForceLimited: boolean; springAngle: number; springTorque: number }
+/** What every thrown `Error` carries besides its message. */
+export interface ErrorData { code: string; field: string; value: string; allowed: string; suggestion: string | null }
