@@ -1,0 +1,88 @@
+import { LitElement, html } from 'lit';
+import './knob.js';
+import { symbolOf } from './symbol.js';
+
+/**
+ * @typedef {import('./quantity.js').Quantity} Quantity
+ * @typedef {import('../words/voice.js').Voice} Voice
+ */
+
+/** The knobs that are always at hand, the most telling first. */
+export const knobs = ['velocity', 'dampingConstant', 'casterLength', 'freeplayAngle'];
+
+/**
+ * The knobs under the stage. On a phone one large slider, and chips that choose which value it sets.
+ * Asks for the drawer by a `drawer` event, for the opening values by `reset-all`.
+ */
+export class Dock extends LitElement {
+  static properties = {
+    quantities: { attribute: false },
+    values: { attribute: false },
+    usual: { attribute: false },
+    voice: { attribute: false },
+    isOpen: { attribute: false },
+    chosen: { state: true },
+  };
+
+  constructor() {
+    super();
+    /** @type {Quantity[]} */ this.quantities = [];
+    /** @type {Readonly<Record<string, number>>} */ this.values = {};
+    /** @type {Readonly<Record<string, number>>} */ this.usual = {};
+    /** @type {Voice | null} */ this.voice = null;
+    /** Whether the drawer with all values is open. */
+    this.isOpen = false;
+    /** @type {import('./knob.js').Change} */ this.change = () => null;
+    this.chosen = 'dampingConstant';
+  }
+
+  createRenderRoot() {
+    return this;
+  }
+
+  render() {
+    const { voice, quantities, values, usual } = this;
+    if (!voice) return html``;
+    const shown = knobs.flatMap((name) => quantities.filter((quantity) => quantity.name === name));
+    const count = quantities.length;
+    return html`
+      <div class="chips" role="group" aria-label=${voice.say('dock.choose')}>
+        ${shown.map((quantity) => html`
+          <button type="button" aria-pressed=${this.chosen === quantity.name ? 'true' : 'false'}
+            aria-label="${voice.say(/** @type {any} */ (`parameter.${quantity.name}`))} ${quantity.write(values[quantity.name], voice)}"
+            @click=${() => { this.chosen = quantity.name; }}>
+            ${symbolOf(quantity.parameter.symbol)} ${short(values[quantity.name], quantity, voice)}
+          </button>`)}
+        <button type="button" aria-expanded=${this.isOpen ? 'true' : 'false'} @click=${() => this.#ask('drawer')}>
+          ${voice.say('dock.all.short', { count })}
+        </button>
+      </div>
+      ${shown.map((quantity) => html`
+        <shimmy-knob data-place="dock" data-name=${quantity.name} ?data-chosen=${this.chosen === quantity.name}
+          .quantity=${quantity} .value=${values[quantity.name]} .usual=${usual[quantity.name]} .voice=${voice}
+          .change=${this.change}></shimmy-knob>`)}
+      <div class="dock-more">
+        <button type="button" class="framed" aria-expanded=${this.isOpen ? 'true' : 'false'} @click=${() => this.#ask('drawer')}>
+          ${voice.say('dock.all', { count })} ${this.isOpen ? '▾' : '▴'}
+        </button>
+        <button type="button" class="plain" @click=${() => this.#ask('reset-all')}>↺ ${voice.say('dock.reset')}</button>
+      </div>`;
+  }
+
+  /** @param {'drawer' | 'reset-all'} what */
+  #ask(what) {
+    this.dispatchEvent(new CustomEvent(what));
+  }
+}
+
+/**
+ * A value short enough for a chip.
+ * @param {number} value @param {Quantity} quantity @param {Voice} voice
+ */
+function short(value, quantity, voice) {
+  const shown = Number(quantity.toShown(value).toPrecision(3));
+  const decimals = (String(shown).split('.')[1] ?? '').length;
+  return voice.number(shown, decimals) + (quantity.unit === '°' ? '°' : '');
+}
+
+customElements.define('shimmy-dock', Dock);

@@ -1,0 +1,62 @@
+import { LitElement, html } from 'lit';
+import './knob.js';
+
+/**
+ * @typedef {import('./quantity.js').Quantity} Quantity
+ * @typedef {import('../words/voice.js').Voice} Voice
+ */
+
+/** All values of the model, over the lens and never over the gear. Asks to be closed by a `close` event. */
+export class Drawer extends LitElement {
+  static properties = {
+    quantities: { attribute: false },
+    values: { attribute: false },
+    usual: { attribute: false },
+    voice: { attribute: false },
+  };
+
+  constructor() {
+    super();
+    /** @type {Quantity[]} */ this.quantities = [];
+    /** @type {Readonly<Record<string, number>>} */ this.values = {};
+    /** @type {Readonly<Record<string, number>>} */ this.usual = {};
+    /** @type {Voice | null} */ this.voice = null;
+    /** @type {import('./knob.js').Change} */ this.change = () => null;
+  }
+
+  createRenderRoot() {
+    return this;
+  }
+
+  connectedCallback() {
+    super.connectedCallback();
+    this.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape') this.#close();
+    });
+  }
+
+  render() {
+    const { voice } = this;
+    if (!voice) return html``;
+    return html`
+      <header>
+        <h2>${voice.say('dock.all', { count: this.quantities.length })}</h2>
+        <button type="button" class="framed" @click=${this.#close}>${voice.say('dock.close')}</button>
+      </header>
+      <div class="drawer-knobs">
+        ${this.quantities.map((quantity) => html`
+          <shimmy-knob data-place="drawer" data-name=${quantity.name} .quantity=${quantity} .value=${this.values[quantity.name]}
+            .usual=${this.usual[quantity.name]} .voice=${voice} .change=${this.change}></shimmy-knob>`)}
+      </div>`;
+  }
+
+  firstUpdated() {
+    this.querySelector('button')?.focus();
+  }
+
+  #close() {
+    this.dispatchEvent(new CustomEvent('close'));
+  }
+}
+
+customElements.define('shimmy-drawer', Drawer);

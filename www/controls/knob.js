@@ -1,0 +1,147 @@
+import { LitElement, html } from 'lit';
+import { parseNumber } from '../words/number.js';
+import { isWord } from '../words/voice.js';
+import { explain } from './refusal.js';
+import { symbolOf } from './symbol.js';
+
+/**
+ * @typedef {import('./quantity.js').Quantity} Quantity
+ * @typedef {import('./refusal.js').Refusal} Refusal
+ * @typedef {import('../words/voice.js').Voice} Voice
+ * @typedef {(name: string, value: number, gesture: string) => Refusal | null} Change
+ */
+
+/** The slider's own scale is 0 … `places`; a native range needs whole steps to reach its ends. */
+const places = 1000;
+
+/**
+ * One parameter: symbol, name, exact number, unit, reset, and below them the slider. Made from the parameter's line in
+ * the engine's table. A value that the engine refuses is explained beneath; the run keeps the last good one.
+ *
+ * Tells of the end of a gesture by a `settle` event that bubbles.
+ */
+export class Knob extends LitElement {
+  static properties = {
+    quantity: { attribute: false },
+    value: { attribute: false },
+    usual: { attribute: false },
+    voice: { attribute: false },
+    refusal: { state: true },
+  };
+
+  constructor() {
+    super();
+    /** @type {Quantity | null} */ this.quantity = null;
+    /** @type {Voice | null} */ this.voice = null;
+    /** The value in force, in SI. */
+    this.value = 0;
+    /** The value that "reset" brings back, in SI. */
+    this.usual = 0;
+    /** @type {Refusal | null} */ this.refusal = null;
+    /** @type {Change} */ this.change = () => null;
+  }
+
+  createRenderRoot() {
+    return this;
+  }
+
+  /** @param {Map<string, unknown>} changed */
+  willUpdate(changed) {
+    // A value that came from elsewhere (undo, a moved time, the slider) ends the complaint about one that did not.
+    if (changed.has('value') && changed.get('value') !== undefined) this.refusal = null;
+  }
+
+  render() {
+    const { quantity, voice } = this;
+    if (!quantity || !voice) return html``;
+    const name = this.#name(quantity, voice);
+    const id = `knob-${quantity.name}-${this.dataset.place}`;
+    const usual = quantity.write(this.usual, voice);
+    const reset = voice.say('knob.reset', { name, value: usual });
+    const sentence = this.refusal ? explain(this.refusal, quantity, name, this.value, voice) : '';
+    return html`
+      <div class="knob-line">
+        <label for="${id}-slider">${symbolOf(quantity.parameter.symbol)} <span>${name}</span></label>
+        <input id=${id} class="number" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
+          aria-label=${voice.say('knob.number', { name })} aria-invalid=${this.refusal ? 'true' : 'false'}
+          aria-describedby="${id}-refusal" .value=${quantity.number(this.value, voice)}
+          @change=${this.#typed} @keydown=${this.#numberKey} @focus=${selectAll} />
+        <span class="unit">${quantity.unit}</span>
+        <button type="button" class="reset" title=${reset} aria-label=${reset} ?disabled=${this.value === this.usual}
+          @click=${() => this.#set(this.usual)}>↺</button>
+      </div>
+      <input id="${id}-slider" class="slider" type="range" min="0" max=${places} step="1"
+        aria-valuetext=${quantity.write(this.value, voice)} .value=${String(quantity.placeOf(this.value) * places)}
+        style="--place: ${quantity.placeOf(this.value)}"
+        @input=${this.#dragged} @change=${this.#settle} @keydown=${this.#sliderKey} />
+      <p id="${id}-refusal" class="refusal" role="alert">${sentence}</p>`;
+  }
+
+  /** @param {Quantity} quantity @param {Voice} voice */
+  #name(quantity, voice) {
+    const key = `parameter.${quantity.name}`;
+    return isWord(key) ? voice.say(key) : quantity.name;
+  }
+
+  /** @param {Event} event */
+  #dragged(event) {
+    if (!this.quantity) return;
+    const place = Number(/** @type {HTMLInputElement} */ (event.target).value) / places;
+    this.#set(this.quantity.valueAt(place), 'drag');
+  }
+
+  /** @param {Event} event */
+  #typed(event) {
+    const field = /** @type {HTMLInputElement} */ (event.target);
+    const shown = parseNumber(field.value);
+    if (!this.quantity || !this.voice) return;
+    if (Number.isNaN(shown)) this.refusal = { code: 'not-a-number' };
+    else if (field.value !== this.quantity.number(this.value, this.voice)) this.#set(this.quantity.toSI(shown));
+    else this.refusal = null;
+  }
+
+  /** @param {KeyboardEvent} event */
+  #numberKey(event) {
+    if (event.key === 'Escape') {
+      this.refusal = null;
+      const field = /** @type {HTMLInputElement} */ (event.target);
+      if (this.quantity && this.voice) field.value = this.quantity.number(this.value, this.voice);
+    }
+    this.#arrow(event, { ArrowUp: 1, ArrowDown: -1 });
+  }
+
+  /** @param {KeyboardEvent} event */
+  #sliderKey(event) {
+    this.#arrow(event, { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 });
+  }
+
+  /** @param {KeyboardEvent} event @param {Record<string, number>} keys how many steps each key is */
+  #arrow(event, keys) {
+    const steps = keys[event.key];
+    if (!steps || !this.quantity) return;
+    event.preventDefault();
+    this.#set(this.quantity.stepped(this.value, steps * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1)), 'keys');
+  }
+
+  /**
+   * @param {number} value in SI
+   * @param {string} [gesture] a single change settles at once
+   */
+  #set(value, gesture) {
+    if (!this.quantity) return;
+    this.refusal = this.change(this.quantity.name, value, gesture ? `${this.quantity.name} ${gesture}` : '');
+    if (gesture !== 'drag') this.#settle();
+    this.requestUpdate();
+  }
+
+  #settle() {
+    this.dispatchEvent(new CustomEvent('settle', { bubbles: true }));
+  }
+}
+
+/** @param {Event} event */
+function selectAll(event) {
+  /** @type {HTMLInputElement} */ (event.target).select();
+}
+
+customElements.define('shimmy-knob', Knob);

@@ -1,0 +1,33 @@
+/// <reference types="vite/client" />
+/**
+ * Loads the WebAssembly module, once. The only file that imports it.
+ *
+ * @typedef {typeof import('../pkg/shimmy.js')} Engine
+ * @typedef {import('../pkg/shimmy.js').Run} Run
+ * @typedef {import('../pkg/shimmy.js').Simulator} Simulator
+ * @typedef {import('../pkg/shimmy.js').Outlook} Outlook
+ * @typedef {import('../pkg/shimmy.js').Model} Model
+ */
+
+import init, * as engine from '../pkg/shimmy.js';
+import address from '../pkg/shimmy_bg.wasm?url';
+
+/** @type {Promise<Engine> | null} */
+let loading = null;
+
+/** @returns {Promise<Engine>} */
+export function loadEngine() {
+  loading ??= compile().then(async (module) => {
+    await init({ module_or_path: module });
+    return engine;
+  });
+  return loading;
+}
+
+/** Compiles while the bytes arrive; a server that does not say `application/wasm` gets the slower way. */
+async function compile() {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+  const isStreamable = response.headers.get('content-type')?.startsWith('application/wasm');
+  return isStreamable ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}

@@ -1,0 +1,126 @@
+import { LitElement, html } from 'lit';
+
+/**
+ * @typedef {import('./words/voice.js').Voice} Voice
+ * @typedef {import('./words/voice.js').Key} Key
+ */
+
+const themes = /** @type {const} */ (['system', 'light', 'dark']);
+const keys = /** @type {const} */ (['play', 'step', 'start', 'kick', 'fit', 'undo', 'knob', 'help']);
+const languages = /** @type {const} */ ([['en', 'English'], ['tr', 'Türkçe']]);
+
+/**
+ * The page's head: which object, undo and redo, the link, and a menu with language, appearance and keys.
+ * Events: `undo`, `redo`, `share`, `language` and `theme` with the choice as detail.
+ */
+export class Header extends LitElement {
+  static properties = {
+    voice: { attribute: false },
+    theme: { attribute: false },
+    canUndo: { attribute: false },
+    canRedo: { attribute: false },
+    isReady: { attribute: false },
+    isShared: { attribute: false },
+  };
+
+  constructor() {
+    super();
+    /** @type {Voice | null} */ this.voice = null;
+    /** @type {'system' | 'light' | 'dark'} */ this.theme = 'system';
+    this.canUndo = false;
+    this.canRedo = false;
+    this.isReady = false;
+    this.isShared = false;
+  }
+
+  createRenderRoot() {
+    return this;
+  }
+
+  connectedCallback() {
+    super.connectedCallback();
+    document.addEventListener('pointerdown', this.#leave);
+  }
+
+  disconnectedCallback() {
+    document.removeEventListener('pointerdown', this.#leave);
+    super.disconnectedCallback();
+  }
+
+  /** Opens the menu with its list of keys, or closes it. */
+  toggleMenu() {
+    const menu = this.#menu;
+    if (!menu) return;
+    menu.open = !menu.open;
+    if (menu.open) menu.querySelector('summary')?.focus();
+  }
+
+  render() {
+    const { voice } = this;
+    if (!voice) return html``;
+    const button = (/** @type {Key} */ key, /** @type {string} */ sign, /** @type {boolean} */ isOn, /** @type {string} */ what) => html`
+      <button type="button" class="plain icon ${what}" title=${voice.say(key)} aria-label=${voice.say(key)} ?disabled=${!isOn}
+        @click=${() => this.#tell(what)}>${sign}</button>`;
+    return html`
+      <span class="brand">Shimmy</span>
+      <span class="object">${voice.say('header.object')}</span>
+      <span class="spacer"></span>
+      ${button('header.undo', '↶', this.canUndo, 'undo')}
+      ${button('header.redo', '↷', this.canRedo, 'redo')}
+      <button type="button" class="framed share" ?disabled=${!this.isReady} @click=${() => this.#tell('share')}>
+        <span aria-live="polite">${voice.say(this.isShared ? 'header.shared' : 'header.share')}</span>
+      </button>
+      <details class="menu" @keydown=${this.#key}>
+        <summary class="plain icon" title=${voice.say('header.menu')} aria-label=${voice.say('header.menu')}>⋯</summary>
+        <div class="menu-sheet">
+          ${this.#choice('menu.language', 'language', languages.map(([value, word]) => ({ value, word, lang: value })), voice.language)}
+          ${this.#choice('menu.theme', 'theme', themes.map((value) => ({ value, word: voice.say(`menu.theme.${value}`), lang: voice.language })), this.theme)}
+          <section>
+            <h2>${voice.say('menu.keys')}</h2>
+            <dl>${keys.map((key) => html`<div><dt><kbd>${voice.say(`key.${key}`)}</kbd></dt><dd>${voice.say(`key.${key}.does`)}</dd></div>`)}</dl>
+          </section>
+        </div>
+      </details>`;
+  }
+
+  /**
+   * @param {Key} title
+   * @param {string} name
+   * @param {{ value: string, word: string, lang: string }[]} options
+   * @param {string} chosen
+   */
+  #choice(title, name, options, chosen) {
+    return html`
+      <fieldset>
+        <legend>${this.voice?.say(title)}</legend>
+        ${options.map(({ value, word, lang }) => html`
+          <label lang=${lang}><input type="radio" name=${name} value=${value} .checked=${value === chosen}
+            @change=${() => this.#tell(name, value)} /> ${word}</label>`)}
+      </fieldset>`;
+  }
+
+  get #menu() {
+    return this.querySelector('details');
+  }
+
+  /** A press elsewhere closes the menu. @param {PointerEvent} event */
+  #leave = (event) => {
+    const menu = this.#menu;
+    if (menu?.open && !event.composedPath().includes(menu)) menu.open = false;
+  };
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const menu = this.#menu;
+    if (event.key !== 'Escape' || !menu?.open) return;
+    menu.open = false;
+    menu.querySelector('summary')?.focus();
+  }
+
+  /** @param {string} what @param {string} [detail] */
+  #tell(what, detail) {
+    this.dispatchEvent(new CustomEvent(what, { detail }));
+  }
+}
+
+customElements.define('shimmy-header', Header);

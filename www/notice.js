@@ -1,0 +1,51 @@
+import { LitElement, html } from 'lit';
+
+/**
+ * @typedef {import('./words/voice.js').Voice} Voice
+ * @typedef {import('./link.js').Problem} Problem
+ * @typedef {{ text: string, isAlert: boolean }} Note
+ */
+
+/**
+ * The strip above the lens: the story, or a note in its place while there is something to say. The note's own button
+ * asks for a `close`.
+ */
+export class Notice extends LitElement {
+  static properties = { voice: { attribute: false }, notes: { attribute: false } };
+
+  constructor() {
+    super();
+    /** @type {Voice | null} */ this.voice = null;
+    /** @type {Note[]} */ this.notes = [];
+  }
+
+  createRenderRoot() {
+    return this;
+  }
+
+  render() {
+    const { voice, notes } = this;
+    if (!voice) return html``;
+    if (notes.length === 0) return html`<div class="story"><p class="story-title">${voice.say('story.title')}</p><p>${voice.say('story.text')}</p></div>`;
+    return html`
+      <div class="story note">
+        ${notes.map(({ text, isAlert }) => html`<p role=${isAlert ? 'alert' : 'status'}>${text}</p>`)}
+        <button type="button" class="plain icon" aria-label=${voice.say('notice.close')} title=${voice.say('notice.close')}
+          @click=${() => this.dispatchEvent(new CustomEvent('close'))}>✕</button>
+      </div>`;
+  }
+}
+
+/**
+ * What of a link could not be read, in words; null where all could.
+ * @param {Problem[]} problems
+ * @param {Voice} voice
+ * @returns {Note | null}
+ */
+export function noteOn(problems, voice) {
+  if (problems.length === 0) return null;
+  const list = problems.map(({ key, value, reason }) => voice.say(`link.${reason}`, { key, value })).join('; ');
+  return { text: voice.say('link.some', { list }), isAlert: true };
+}
+
+customElements.define('shimmy-notice', Notice);

@@ -1,0 +1,73 @@
+/** Scales that fit a motion: chosen at the start of a run and after a change, held in between. */
+
+import { roundLimit } from '../view/scale.js';
+
+const magnifications = [1, 2, 5, 10, 20, 50];
+const degree = Math.PI / 180;
+/** Swings are drawn between 10° and 20°; this is the middle of that, in ratio. */
+const drawnSwing = Math.sqrt(10 * 20) * degree;
+/** What a wheel at rest is fitted to, so that axes have a length. */
+const least = 0.02 * degree;
+
+/**
+ * The factor at which a swing of ± `angle` draws nearest to 10–20°.
+ * @param {number} angle in rad
+ */
+export function magnificationFor(angle) {
+  const off = (/** @type {number} */ factor) => Math.abs(Math.log((factor * Math.max(angle, least)) / drawnSwing));
+  return magnifications.reduce((best, factor) => (off(factor) < off(best) ? factor : best));
+}
+
+/**
+ * @typedef {{ angle: number, rate: number }} Swing the largest ψ and ψ̇ of a motion
+ * @param {Swing} swing
+ * @returns {Swing} ends of axes that hold it, in rad and rad/s; the angle's is round in degrees
+ */
+export function limitsFor({ angle, rate }) {
+  return {
+    angle: roundLimit(Math.max(angle, least) / degree) * degree,
+    rate: roundLimit(Math.max(rate, 0.01)),
+  };
+}
+
+/**
+ * Whether axes still serve a motion: it stays inside and is more than a sixth of them.
+ * @param {Swing} limits
+ * @param {Swing} swing
+ */
+export function stillFits(limits, swing) {
+  const share = Math.max(swing.angle / limits.angle, swing.rate / limits.rate);
+  return share <= 1 && share > 1 / 6;
+}
+
+/**
+ * @typedef {{ time: ArrayLike<number>, low: ArrayLike<number>, high: ArrayLike<number> }} Envelope
+ */
+
+/**
+ * The stretch of the run that the timeline shows: from its start over the time in which the motion settles, growing
+ * when now comes near its end.
+ * @param {Envelope} ahead what comes, times from the start of the run
+ * @param {number} now in s
+ * @param {ArrayLike<number>} range what the run remembers, in s
+ */
+export function spanFor(ahead, now, range) {
+  const from = range[0];
+  return { from, to: from + roundLimit(Math.max(settlingTime(ahead) - from, 1.1 * (now - from), 0.2)) };
+}
+
+/**
+ * When the swing has come within 2 % of where it ends, of the way it has to go.
+ * @param {Envelope} envelope
+ */
+export function settlingTime({ time, low, high }) {
+  const count = time.length;
+  if (count === 0) return 0;
+  const width = (/** @type {number} */ i) => high[i] - low[i];
+  const end = width(count - 1);
+  let way = 0;
+  for (let i = 0; i < count; i++) way = Math.max(way, Math.abs(width(i) - end));
+  let last = count - 1;
+  while (last > 0 && Math.abs(width(last - 1) - end) <= 0.02 * way) last--;
+  return time[last];
+}

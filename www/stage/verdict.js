@@ -1,0 +1,117 @@
+import { LitElement, html, svg } from 'lit';
+
+/**
+ * @typedef {import('../engine/engine.js').Outlook} Outlook
+ * @typedef {import('../words/voice.js').Voice} Voice
+ */
+
+const degrees = 180 / Math.PI;
+
+/** How long a spoken verdict stands before the next may be spoken, in ms. */
+const shortestSilence = 2000;
+
+/**
+ * One word and two numbers: what the motion does, how wide, how fast, where it heads. All of it from the engine's
+ * outlook. A screen reader hears it when the word changes or the motion settles, not at every number.
+ */
+export class Verdict extends LitElement {
+  static properties = { outlook: { attribute: false }, voice: { attribute: false }, message: { attribute: false }, spoken: { state: true } };
+
+  #spokenKey = '';
+  #spokenAt = -Infinity;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */ #later;
+
+  constructor() {
+    super();
+    /** @type {Outlook | null} */ this.outlook = null;
+    /** @type {Voice | null} */ this.voice = null;
+    /** Said instead of a verdict: the engine is starting, or refused to. */
+    this.message = '';
+    this.spoken = '';
+  }
+
+  createRenderRoot() {
+    return this;
+  }
+
+  willUpdate() {
+    if (this.outlook && this.voice) this.#speak(this.outlook, this.voice);
+  }
+
+  disconnectedCallback() {
+    clearTimeout(this.#later);
+    super.disconnectedCallback();
+  }
+
+  render() {
+    const { outlook, voice } = this;
+    if (!voice) return html``;
+    if (this.message) return html`<p class="verdict-message" role="status">${this.message}</p>`;
+    if (!outlook) return html``;
+    return html`
+      <h1 data-verdict=${outlook.verdict}>${icon(outlook.verdict)}<span>${voice.say(`verdict.${outlook.verdict}`)}</span></h1>
+      <p class="verdict-numbers">${numbersOf(outlook, voice).map(({ text, isExtra }, i) => html`
+        <span class=${isExtra ? 'extra' : ''}>${i ? html`<span class="dot">·</span> ` : ''}${text}</span>`)}</p>
+      <p class="only-heard" aria-live="polite">${this.spoken}</p>`;
+  }
+
+  /** @param {Outlook} outlook @param {Voice} voice */
+  #speak(outlook, voice) {
+    const key = `${voice.language} ${outlook.verdict} ${outlook.settled}`;
+    if (key === this.#spokenKey) return;
+    clearTimeout(this.#later);
+    const wait = this.#spokenAt + shortestSilence - performance.now();
+    if (wait > 0) {
+      this.#later = setTimeout(() => this.requestUpdate(), wait);
+      return;
+    }
+    this.#spokenKey = key;
+    this.#spokenAt = performance.now();
+    this.spoken = [voice.say(`verdict.${outlook.verdict}`), ...numbersOf(outlook, voice).map(({ text }) => text)].join(', ');
+  }
+}
+
+/**
+ * The line under the verdict, part by part; an extra one is left out where there is little room.
+ * @param {Outlook} outlook
+ * @param {Voice} voice
+ * @returns {{ text: string, isExtra?: boolean }[]}
+ */
+export function numbersOf({ verdict, settled, amplitude, frequency, present }, voice) {
+  if (verdict === 'rests') return [{ text: voice.say('verdict.rests.hint') }];
+  const beat = present.frequency ?? frequency;
+  const hertz = beat ? [{ text: `${voice.number(beat, 1)} Hz` }] : [];
+  if (settled) return [{ text: swing(amplitude.torsionAngle, voice) }, ...hertz, { text: voice.say('verdict.settled') }];
+  const now = swing(present.amplitude, voice);
+  const trend = present.trend === 'growing' ? voice.say('verdict.growing', { amplitude: now })
+    : present.trend === 'falling' ? voice.say('verdict.falling', { amplitude: now }) : now;
+  if (verdict === 'grows') return [{ text: trend }, ...hertz, { text: voice.say('verdict.limit'), isExtra: true }];
+  const goal = swing(verdict === 'dies-out' ? 0 : amplitude.torsionAngle, voice);
+  return [{ text: trend }, ...hertz, { text: voice.say('verdict.heads', { amplitude: goal }), isExtra: true }];
+}
+
+/**
+ * ± an angle, with as many decimals as tell small swings apart.
+ * @param {number} radians
+ * @param {Voice} voice
+ */
+function swing(radians, voice) {
+  const angle = radians * degrees;
+  if (angle === 0) return '0°';
+  if (angle < 0.005) return `< ±${voice.number(0.01, 2)}°`;
+  return `±${voice.number(angle, angle < 2 ? 2 : 1)}°`;
+}
+
+/** @param {Outlook['verdict']} verdict */
+function icon(verdict) {
+  const line = {
+    shimmies: svg`<path class="unstable" d="M2 15c3 0 3-4 5-4s3 9 6 9 3-16 6-16 3 12 6 12"/>`,
+    grows: svg`<path class="unstable" d="M2 13c2 0 2-3 4-3s3 8 6 8 3-14 6-14 3 18 8 18"/>`,
+    'dies-out': svg`<path class="stable" d="M2 4c4 0 3 16 7 16s4-11 7-11 3 5 5 5 2-2 5-2"/>`,
+    rattles: svg`<path class="gap" d="M3 2v20M25 2v20"/><path class="psi" d="M6 14l5-6 6 8 5-6"/>`,
+    rests: svg`<path class="stable" d="M2 12h24"/>`,
+  }[verdict];
+  return html`<svg viewBox="0 0 28 24" width="28" height="24" aria-hidden="true">${line}</svg>`;
+}
+
+customElements.define('shimmy-verdict', Verdict);

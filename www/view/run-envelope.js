@@ -1,0 +1,71 @@
+import { linear } from './scale.js';
+
+/**
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {import('./time-history.js').Box} Box
+ * @typedef {{ time: ArrayLike<number>, low: ArrayLike<number>, high: ArrayLike<number> }} Envelope
+ *   the least and the largest ψ about each time, ascending
+ * @typedef {{
+ *   past: Envelope, future: Envelope, from: number, to: number, now: number, limit: number, bracket: [number, number],
+ * }} Run times in s of the run, `limit` in rad
+ */
+
+/**
+ * The whole run at a glance: how wide it swung, how wide it will if nothing changes, and which part is shown below.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Box} box
+ * @param {Run} run
+ * @param {Theme} theme
+ */
+export function drawRunEnvelope(context, box, run, theme) {
+  const x = linear([run.from, run.to], [box.left, box.right]);
+  const y = linear([-run.limit, run.limit], [box.bottom, box.top]);
+  const now = x(run.now);
+
+  context.strokeStyle = theme.rule;
+  context.lineWidth = 1;
+  context.beginPath();
+  context.moveTo(box.left, y(0));
+  context.lineTo(box.right, y(0));
+  context.stroke();
+
+  context.fillStyle = theme.psi;
+  context.globalAlpha = theme.scheme === 'dark' ? 0.32 : 0.24;
+  fillBetween(context, run.future, x, y, now, box.right);
+  context.globalAlpha = theme.scheme === 'dark' ? 0.8 : 0.78;
+  fillBetween(context, run.past, x, y, box.left, now - 0.5);
+  context.globalAlpha = 1;
+
+  const [from, to] = run.bracket.map(x);
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 1.5;
+  const left = Math.max(from, box.left);
+  context.strokeRect(Math.round(left) + 0.5, Math.round(box.top) - 2.5, Math.max(4, Math.round(Math.min(to, box.right) - left)), Math.round(box.bottom - box.top) + 5);
+}
+
+/**
+ * The band between least and largest, cut to [from, to] and held beyond its first and last point.
+ * @param {CanvasRenderingContext2D} context @param {Envelope} envelope
+ * @param {(v: number) => number} x @param {(v: number) => number} y @param {number} from @param {number} to
+ */
+function fillBetween(context, { time, low, high }, x, y, from, to) {
+  const last = time.length - 1;
+  if (last < 0 || to <= from) return;
+  context.save();
+  context.beginPath();
+  context.rect(from, -1e4, to - from, 2e4);
+  context.clip();
+  // At least a hairline, so that a wheel at rest is seen to be there.
+  const top = (/** @type {number} */ i) => Math.min(y(high[i]), y(0) - 0.75);
+  const bottom = (/** @type {number} */ i) => Math.max(y(low[i]), y(0) + 0.75);
+  context.beginPath();
+  context.moveTo(Math.min(from, x(time[0])), top(0));
+  for (let i = 0; i <= last; i++) context.lineTo(x(time[i]), top(i));
+  context.lineTo(Math.max(to, x(time[last])), top(last));
+  context.lineTo(Math.max(to, x(time[last])), bottom(last));
+  for (let i = last; i >= 0; i--) context.lineTo(x(time[i]), bottom(i));
+  context.lineTo(Math.min(from, x(time[0])), bottom(0));
+  context.closePath();
+  context.fill();
+  context.restore();
+}
