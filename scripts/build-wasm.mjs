@@ -1,6 +1,6 @@
 // Builds the crate into www/pkg/: shimmy.js, shimmy_bg.wasm, shimmy.d.ts.
 
-import { readdirSync, statSync, utimesSync, writeFileSync } from 'node:fs';
+import { readdirSync, renameSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { ROOT } from './setup/root.mjs';
@@ -10,14 +10,23 @@ import { setUp } from './setup.mjs';
 
 const SOURCES = ['src', 'Cargo.toml', 'Cargo.lock', '.cargo/config.toml'];
 
-/** Put there when a build is whole, with the time it began: a half-done one counts as none. */
-const STAMP = join(ROOT, 'www', 'pkg', '.built');
+const MODULE = join(ROOT, 'www', 'pkg');
+const STAMP = join(MODULE, '.built');
 
-/** @param {import('./setup.mjs').Tools} tools */
+/** Builds aside and swaps the folder when it is whole, so that nobody loads half a module. @param {import('./setup.mjs').Tools} tools */
 export function buildModule({ wasm }) {
   const began = new Date();
-  // no-install: all that wasm-pack would download, the set-up has found.
-  run('wasm-pack', ['--log-level', 'error', 'build', '--mode', 'no-install', '--target', 'web', '--no-pack', '--out-dir', 'www/pkg'], wasm);
+  const aside = join(ROOT, 'target', `pkg-${process.pid}`);
+  try {
+    // no-install: all that wasm-pack would download, the set-up has found.
+    const build = ['build', '--mode', 'no-install', '--target', 'web', '--no-pack', '--out-dir', aside];
+    run('wasm-pack', ['--log-level', 'error', ...build], wasm);
+    rmSync(MODULE, { recursive: true, force: true });
+    renameSync(aside, MODULE);
+  } finally {
+    rmSync(aside, { recursive: true, force: true });
+  }
+  // As old as the sources it was made from: what changed during the build is newer.
   writeFileSync(STAMP, '');
   utimesSync(STAMP, began, began);
 }

@@ -17,4 +17,4 @@ pub use error::{Code, Error, Result};
 pub use run::Run;
 
 #[cfg(target_arch = "wasm32")]
-mod wasm;
+pub mod wasm;

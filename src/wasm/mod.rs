@@ -8,6 +8,8 @@ mod input;
 mod output;
 mod simulator;
 
+pub use simulator::Simulator;
+
 use wasm_bindgen::prelude::*;
 
 use crate::{

@@ -15,7 +15,7 @@ export const SHIMMY = {
 };
 
 /** Names of the states, in their order. */
-export const STATES = ['torsionAngle', 'torsionRate', 'lateralDeformation'];
+export const STATES = /** @type {const} */ (['torsionAngle', 'torsionRate', 'lateralDeformation']);
 
 /** The error that a call throws; no error is one, too. @param {() => unknown} call @returns {any} */
 export function refusal(call) {

@@ -7,7 +7,7 @@ const refused = (change) => refusal(() => shimmy.simulate({ ...SHIMMY, ...change
 
 test('a refusal is an Error that says which field, what it was and what is allowed', () => {
   const error = refused({ parameters: { velocity: -3 } });
-  assert.ok(error instanceof Error);
+  assert.equal(Object.prototype.toString.call(error), '[object Error]');
   assert.match(error.message, /velocity must be > 0 m\/s, got -3/);
   assert.equal(error.code, 'out-of-range');
   assert.equal(error.field, 'velocity');
@@ -18,7 +18,7 @@ test('a refusal is an Error that says which field, what it was and what is allow
 test('NaN and the infinities are not numbers to run with', () => {
   for (const value of [NaN, Infinity, -Infinity]) {
     assert.equal(refused({ parameters: { casterLength: value } }).field, 'casterLength');
-    assert.equal(refused({ initial: { torsionAngle: value } }).field, 'initial.torsionAngle');
+    assert.equal(refused({ initial: { torsionAngle: value } }).field, 'torsionAngle');
     for (const field of ['duration', 'rtol', 'atol']) assert.equal(refused({ [field]: value }).field, field);
   }
 });

@@ -3,6 +3,8 @@ import { readFileSync } from 'node:fs';
 import test from 'node:test';
 import { shimmy, SHIMMY, STATES } from './module.mjs';
 
+/** @typedef {'torsionAngle' | 'torsionRate' | 'lateralDeformation'} State */
+
 /** Trajectories computed with SciPy, split at the kinks; each good to about 1e-9 of its largest value. */
 const { trajectories } = JSON.parse(readFileSync(new URL('../reference.json', import.meta.url), 'utf8'));
 const models = new Set(shimmy.models().map(({ name }) => name));
@@ -12,7 +14,7 @@ for (const { id, run, expect } of trajectories.filter((/** @type {any} */ c) => 
   test(`meets the reference to 1e-6 of each series' largest value: ${id}`, () => {
     const trajectory = shimmy.simulate(run);
     assert.deepEqual([...trajectory.time], run.times);
-    for (const state of Object.keys(expect)) {
+    for (const state of /** @type {State[]} */ (Object.keys(expect))) {
       const largest = Math.max(...expect[state].map(Math.abs));
       for (const [index, value] of expect[state].entries()) {
         const error = Math.abs(trajectory[state][index] - value) / largest;
@@ -26,7 +28,7 @@ test('a trajectory is a plain object of series, each its own Float64Array', () =
   const trajectory = shimmy.simulate({ ...SHIMMY, samples: 11 });
   assert.equal(Object.getPrototypeOf(trajectory), Object.prototype);
   assert.deepEqual(Object.keys(trajectory).sort(), ['time', 'events', 'stats', ...STATES].sort());
-  const series = ['time', ...STATES].map((name) => trajectory[name]);
+  const series = [trajectory.time, ...STATES.map((name) => trajectory[name])];
   for (const values of series) {
     assert.ok(values instanceof Float64Array);
     assert.equal(values.length, 11);
