@@ -62,7 +62,7 @@ export class Stage extends LitElement {
     const { voice } = this;
     if (!voice) return html``;
     return html`
-      <div class="gear">
+      <div class="gear" role="group" aria-label=${voice.say('stage.name')}>
         <shimmy-canvas .label=${voice.say('stage.gear')} .paint=${this.#paint}></shimmy-canvas>
         <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .message=${this.#message(voice)}></shimmy-verdict>
       </div>

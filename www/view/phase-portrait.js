@@ -121,7 +121,9 @@ function drawGrid(context, { angle, rate }, x, y, frame, theme, voice) {
   context.save();
   context.translate(theme.size * 1.25, (frame.top + frame.bottom) / 2);
   context.rotate(-Math.PI / 2);
-  drawLabel(context, [{ symbol: 'ψ', dotted: true }, { text: ` ${voice.say('state.torsionRate')}, rad/s` }], 0, 0, theme, { align: 'center', weight: 600 });
+  const isLow = frame.bottom - frame.top < 14 * theme.size;
+  const rateName = isLow ? ' rad/s' : ` ${voice.say('state.torsionRate')}, rad/s`;
+  drawLabel(context, [{ symbol: 'ψ', dotted: true }, { text: rateName }], 0, 0, theme, { align: 'center', weight: 600 });
   context.restore();
 }
 

@@ -75,7 +75,7 @@ function drawBand(context, box, { freeplay, limit }, y, theme) {
  * @param {Theme} theme @param {Voice} voice
  */
 function drawTimes(context, box, moment, x, theme, voice) {
-  const times = ticks(moment.from * 1000, moment.to * 1000, Math.min(6, (box.right - box.left) / (theme.size * 5)));
+  const times = ticks(moment.from * 1000, moment.to * 1000, Math.min(6, (box.right - box.left) / (theme.size * 3.8)));
   const decimals = tickDecimals(times);
   context.strokeStyle = theme.rule;
   context.lineWidth = 1;
