@@ -42,7 +42,7 @@ const nodeTests = (folder, ...options) => () => {
     SHIMMY_FIREFOX: tools.firefox,
     SHIMMY_GECKODRIVER: tools.geckodriver,
   };
-  run(process.execPath, ['--test', ...options, ...files], { ...tools.native, ...browsers });
+  run(process.execPath, ['--test', '--test-reporter=spec', ...options, ...files], { ...tools.native, ...browsers });
 };
 
 await runStages('npm test', [

@@ -18,3 +18,8 @@ pub use run::Run;
 
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
+
+/// The example of the README, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
