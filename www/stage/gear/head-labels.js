@@ -18,6 +18,7 @@ const DEGREES = 180 / Math.PI;
 export function writeHeadLabels(desk) {
   const { sheet } = desk;
   desk.placer.blockCircle({ ...sheet.head, radius: sheet.head.radius + 2 });
+  desk.placer.blockBox(protractorBox(sheet));
   if (sheet.detailed) {
     writeDamper(desk);
     writeSpring(desk);
@@ -25,14 +26,17 @@ export function writeHeadLabels(desk) {
   writeGap(desk);
 }
 
-/** @param {Desk} desk */
+/** Over its eye, where the round detail leaves room for the word. @param {Desk} desk */
 function writeDamper({ ctx, sheet, theme, words }) {
   const { head, small } = sheet;
   const runs = [plain(words.damper)];
-  const width = widthOf(ctx, runs, small, theme);
-  const y = head.y - 0.93 * head.radius;
-  const style = { size: small, colour: theme.ink2, halo: theme.page };
-  write(ctx, runs, { x: sheet.width - 8 - width, y }, style, theme);
+  const x = sheet.width - 8 - widthOf(ctx, runs, small, theme);
+  const style = { size: small, colour: theme.ink2, halo: null };
+  const fitting = [0.93, 0.97, 1.01].find((share) => {
+    const foot = Math.max(0, share * head.radius - 0.5 * small);
+    return x > head.x + Math.sqrt(head.radius ** 2 - foot ** 2) + 4;
+  });
+  if (fitting) write(ctx, runs, { x, y: head.y - fitting * head.radius }, style, theme);
 }
 
 /** @param {Desk} desk */

@@ -157,7 +157,7 @@ function drawSpring(ctx, sheet, radius, collar, wound, theme) {
   const outer = SPRING_OUTER * radius;
   const inner = SPRING_INNER * radius;
   ctx.strokeStyle = theme.psi;
-  ctx.lineWidth = (wound ? 2.6 : 1.8) * sheet.line;
+  ctx.lineWidth = Math.min((wound ? 2.6 : 1.8) * sheet.line, 0.036 * radius);
   ctx.lineJoin = 'round';
   ctx.lineCap = 'round';
   ctx.beginPath();

@@ -40,7 +40,7 @@ export const atAngle = (sheet, radius, angle) => ({
 export function protractorBox(sheet) {
   const half = sheet.protractor * Math.sin(REACH * DEGREE) + 4;
   const left = atAngle(sheet, sheet.protractor, REACH * DEGREE).x - 4;
-  const right = sheet.axis.x + sheet.protractor + 3 * sheet.small;
+  const right = sheet.axis.x + 0.97 * (sheet.protractor + 13) + 2.4 * sheet.small;
   return { x: left, y: sheet.axis.y - half, width: right - left, height: 2 * half };
 }
 

@@ -32,7 +32,8 @@ export const WHEEL_WIDTH = 0.17;
  * @property {number} label
  * @property {number} large
  * @property {number} line factor on every line width
- * @property {boolean} detailed whether there is room for every label
+ * @property {boolean} detailed whether the tire's and the head's parts are labelled
+ * @property {boolean} roomy whether there is room besides for the track's name
  */
 
 /** @type {Readonly<Record<LayoutName, Layout>>} */
@@ -40,17 +41,17 @@ const LAYOUTS = {
   desktop: {
     verdict: 84, widthM: 2.533, topM: 0.57, sideM: 0.618, axisAt: 0.47, protractorM: 0.5,
     headM: 0.294, headTop: 20, headRight: 18, foot: 34, small: 13, label: 15, large: 17, line: 1,
-    detailed: true,
+    detailed: true, roomy: true,
   },
   projector: {
-    verdict: 84, widthM: 2.533, topM: 0.7, sideM: 0.56, axisAt: 0.44, protractorM: 0.58,
+    verdict: 84, widthM: 2.533, topM: 0.72, sideM: 0.53, axisAt: 0.44, protractorM: 0.53,
     headM: 0.29, headTop: 18, headRight: 18, foot: 36, small: 17, label: 19, large: 22, line: 1.5,
-    detailed: true,
+    detailed: true, roomy: false,
   },
   phone: {
     verdict: 66, widthM: 1.64, topM: 0.85, sideM: 0, axisAt: 0.46, protractorM: 0.6,
     headM: 0.215, headTop: 10, headRight: 10, foot: 0, small: 13, label: 15, large: 17, line: 1.1,
-    detailed: false,
+    detailed: false, roomy: false,
   },
 };
 
@@ -69,6 +70,7 @@ const LAYOUTS = {
  * @property {number} large
  * @property {number} line
  * @property {boolean} detailed
+ * @property {boolean} roomy
  */
 
 /**
@@ -113,6 +115,7 @@ export function sheetFor(size, scene) {
     large: layout.large,
     line: layout.line,
     detailed: layout.detailed,
+    roomy: layout.roomy,
   };
 }
 

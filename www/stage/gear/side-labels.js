@@ -47,7 +47,7 @@ function writeView(desk, frame) {
   const clear = y + 0.7 * sheet.small < wheel.top;
   const room = clear ? frame.x - 0.1 * frame.scale : wheel.left - 6;
   const fits = MARGIN + widthOf(ctx, whole, sheet.small, theme) <= room;
-  const style = { size: sheet.small, colour: theme.ink2, halo: theme.page };
+  const style = { size: sheet.small, colour: theme.ink2, halo: null };
   write(ctx, fits ? whole : [strong(words.side)], { x: MARGIN, y }, style, theme);
 }
 
@@ -59,7 +59,7 @@ function writeSteeringAxis(desk, frame) {
   const x = frame.x + 0.165 * frame.scale + 10;
   const wheel = wheelSpan(desk, frame);
   if (y + 0.7 * small >= wheel.top && x < wheel.right) return;
-  const style = { size: small, colour: theme.ink2, halo: theme.page };
+  const style = { size: small, colour: theme.ink2, halo: null };
   write(ctx, [plain(words.steeringAxis)], { x, y }, style, theme);
 }
 
@@ -70,7 +70,7 @@ function writeContactLength({ ctx, sheet, pose, theme, words }, frame) {
   const middle = frame.x + frame.centre * frame.scale;
   const left = Math.min(middle - pose.half * pose.cos * frame.scale, frame.x);
   const x = Math.max(6, left - 10 - widthOf(ctx, runs, size, theme));
-  const style = { size, colour: theme.y, halo: theme.page };
+  const style = { size, colour: theme.y, halo: null };
   write(ctx, runs, { x, y: frame.ground + 19 }, style, theme);
 }
 
@@ -86,7 +86,7 @@ function writeCaster(desk, frame) {
   const axle = frame.x + frame.centre * frame.scale;
   drawDimension(ctx, sheet, Math.min(frame.x, axle), Math.max(frame.x, axle), frame.ground, theme);
 
-  const style = { size: sheet.label, colour: theme.ink, halo: theme.page };
+  const style = { size: sheet.label, colour: theme.ink, halo: null };
   const runs = [
     plain(`${words.caster} `),
     symbol('e'),
@@ -132,8 +132,8 @@ function drawDimension(ctx, sheet, left, right, ground, theme) {
   ctx.moveTo(left, y);
   ctx.lineTo(right, y);
   ctx.stroke();
-  const head = 7 * sheet.line;
-  if (right - left < 2.2 * head) return;
+  const head = Math.min(7 * sheet.line, 0.42 * (right - left));
+  if (head < 3) return;
   fillHead(ctx, left, y, Math.PI, head);
   fillHead(ctx, right, y, 0, head);
 }

@@ -29,46 +29,70 @@ function fontOf(face, size, theme) {
 }
 
 /**
- * The width of a line, with every digit as wide as a zero, so that a label keeps its place while
- * its number runs.
+ * Measured widths by font and text, for as long as the page keeps the same theme object.
  *
+ * @type {WeakMap<Theme, Map<string, number>>}
+ */
+const measured = new WeakMap();
+
+/**
+ * The width of a run with every digit as wide as a zero, so that a label keeps its place, and is
+ * measured once, while its number runs.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Run} run
+ * @param {number} size
+ * @param {Theme} theme
+ */
+function runWidth(ctx, { text, face }, size, theme) {
+  let widths = measured.get(theme);
+  if (!widths) measured.set(theme, (widths = new Map()));
+  const steady = text.replace(/\d/g, '0');
+  const key = `${face} ${size} ${steady}`;
+  let width = widths.get(key);
+  if (width === undefined) {
+    ctx.font = fontOf(face, size, theme);
+    width = ctx.measureText(steady).width;
+    widths.set(key, width);
+  }
+  return width;
+}
+
+/**
  * @param {CanvasRenderingContext2D} ctx
  * @param {readonly Run[]} runs
  * @param {number} size
  * @param {Theme} theme
  */
 export function widthOf(ctx, runs, size, theme) {
-  let width = 0;
-  for (const { text, face } of runs) {
-    ctx.font = fontOf(face, size, theme);
-    width += ctx.measureText(text.replace(/\d/g, '0')).width;
-  }
-  return width;
+  return runs.reduce((width, run) => width + runWidth(ctx, run, size, theme), 0);
 }
 
 /**
- * Writes a line from x to the right, its middle at y, on a halo in the paper's colour.
+ * Writes a line from x to the right, its middle at y. A halo in the paper's colour keeps it legible
+ * over what is drawn; the halos come first, so that none covers a neighbour's letters.
  *
  * @param {CanvasRenderingContext2D} ctx
  * @param {readonly Run[]} runs
  * @param {{x: number, y: number}} at
- * @param {{size: number, colour: string, halo: string}} style
+ * @param {{size: number, colour: string, halo: string | null}} style
  * @param {Theme} theme
  */
 export function write(ctx, runs, at, style, theme) {
+  const { size } = style;
   ctx.textBaseline = 'middle';
   ctx.textAlign = 'left';
   ctx.lineJoin = 'round';
-  ctx.lineWidth = 0.3 * style.size;
-  ctx.strokeStyle = style.halo;
+  ctx.lineWidth = 0.3 * size;
+  if (style.halo) ctx.strokeStyle = style.halo;
   ctx.fillStyle = style.colour;
   for (const paint of /** @type {const} */ (['strokeText', 'fillText'])) {
+    if (paint === 'strokeText' && !style.halo) continue;
     let x = at.x;
-    for (const { text, face } of runs) {
-      ctx.font = fontOf(face, style.size, theme);
-      const y = face === 'subscript' ? at.y + 0.32 * style.size : at.y;
-      ctx[paint](text, x, y);
-      x += ctx.measureText(text).width;
+    for (const run of runs) {
+      ctx.font = fontOf(run.face, size, theme);
+      ctx[paint](run.text, x, run.face === 'subscript' ? at.y + 0.32 * size : at.y);
+      x += runWidth(ctx, run, size, theme);
     }
   }
 }

@@ -2,6 +2,8 @@
  * The colours and faces that the drawing takes from the page. A colour is `#rgb` or `#rrggbb`,
  * because the drawing makes its own translucent shades of it.
  *
+ * The drawing measures its text once for each theme object: make a new one when fonts arrive.
+ *
  * @typedef {object} Theme
  * @property {'light' | 'dark'} scheme
  * @property {string} page

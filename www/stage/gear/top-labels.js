@@ -34,12 +34,10 @@ const decimalsAt = (magnification) => (magnification < 20 ? 1 : 2);
 export function writeTopNotes(desk) {
   const { ctx, sheet, scene, theme, words, placer } = desk;
   const { small, label, band } = sheet;
-  placer.blockBox(protractorBox(sheet));
-
   const velocity = scene.parameters['velocity'] ?? 0;
   const decimals = Number.isInteger(velocity) ? 0 : 1;
   const speed = formatNumber(velocity, decimals, words.language);
-  const arrow = 0.115 * sheet.width;
+  const arrow = sheet.roomy ? 0.115 * sheet.width : 44;
   const right = sheet.width - MARGIN;
   const style = { size: label, colour: theme.ink2, halo: theme.ground };
   const speedLabel = [symbol('v'), strong(` ${speed} m/s`)];
@@ -66,7 +64,7 @@ export function writeTopNotes(desk) {
     { x: MARGIN, y: band.bottom - 6 - height },
   ]);
 
-  if (!sheet.detailed) return;
+  if (!sheet.roomy) return;
   const green = { size: small, colour: theme.y, halo: theme.ground, farthest: 60 };
   putLabel(desk, [plain(words.trackOnTheGround)], green, () => [{ x: MARGIN, y: band.top + 12 }]);
 }
@@ -154,8 +152,8 @@ function writeSideForce(desk, arrows) {
   const size = Math.abs(sideForce);
   const inKilo = scene.forceScale.force >= 1000;
   const number = formatNumber(inKilo ? size / 1000 : size, inKilo ? 1 : 0, words.language);
-  const limit = sideForceLimited && sheet.detailed ? words.atItsLimit : '';
-  const runs = [symbol('F'), subscript('y'), strong(` ${number} ${inKilo ? 'kN' : 'N'}${limit}`)];
+  const value = ` ${number} ${inKilo ? 'kN' : 'N'}`;
+  const values = sideForceLimited && sheet.detailed ? [value + words.atItsLimit, value] : [value];
 
   const { from, to, length } = arrows.side;
   const reach = Math.max(1, (FORK_REACH * sheet.scale + 12) / length);
@@ -163,7 +161,8 @@ function writeSideForce(desk, arrows) {
   const y = from.y + reach * (to.y - from.y);
   const up = to.y < from.y ? 1 : -1;
   const style = { size: sheet.label, colour: theme.force, halo: theme.ground, opacity };
-  putLabel(desk, runs, style, (width, height) => {
+  /** @param {number} width @param {number} height */
+  const wishes = (width, height) => {
     const highest = sheet.band.top + 3;
     const lowest = sheet.band.bottom - 3 - height;
     const middle = Math.min(lowest, Math.max(highest, y - height / 2));
@@ -174,6 +173,10 @@ function writeSideForce(desk, arrows) {
         { x: x + 13 * sheet.line, y: place },
       ];
     });
+  };
+  values.some((text) => {
+    const runs = [symbol('F'), subscript('y'), strong(text)];
+    return putLabel(desk, runs, style, wishes);
   });
 }
 
