@@ -1,0 +1,24 @@
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { chromium } from 'playwright-core';
+import { chromiumArguments } from '../../scripts/setup/webdriver.mjs';
+
+const site = new URL('../../dist/index.html', import.meta.url).href;
+
+/** @type {import('playwright-core').Browser} */
+let browser;
+before(async () => {
+  const executablePath = process.env.SHIMMY_CHROMIUM ?? '/usr/bin/chromium';
+  browser = await chromium.launch({ executablePath, args: chromiumArguments() });
+});
+after(() => browser.close());
+
+test("the site's page, opened as a file, says that it cannot run so and leads to the one that can", async () => {
+  const page = await browser.newPage();
+  await page.goto(site);
+  const note = page.locator('#opened-from-file');
+  assert.ok(await note.isVisible());
+  await note.getByRole('link', { name: 'shimmy.html' }).first().click();
+  await page.waitForURL(/shimmy\.html$/);
+  await page.getByText('It shimmies').first().waitFor({ timeout: 10_000 });
+});
