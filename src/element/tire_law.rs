@@ -6,7 +6,7 @@ use super::{Side, odd_polynomial::OddPolynomial};
 use crate::real::Real;
 
 /// How far past its limit a law is fitted: a step may look that far ahead before the kink is located.
-const OVERSHOOT: f64 = 1.3;
+const OVERSHOOT: f64 = 1.2;
 
 /// The piecewise law of a stretched-string tire.
 ///
@@ -31,7 +31,7 @@ pub struct PiecewiseTireLaw {
     aligning_limit_angle: f64,
     side_force_limit: f64,
     aligning_limit: f64,
-    arc_tangent: OddPolynomial<6>,
+    arc_tangent: OddPolynomial<8>,
     aligning_moment: OddPolynomial<12>,
 }
 

@@ -571,7 +571,7 @@ const SCHEMES: [Scheme; 4] = [Scheme::DormandPrince, Scheme::Dop853, Scheme::Run
 
 fn controller(scheme: Scheme) -> Controller {
     match scheme {
-        Scheme::Dop853 => Controller::new(order(scheme), 0.0, 0.9),
+        Scheme::Dop853 => Controller::new(order(scheme), 0.06, 0.9),
         Scheme::Rodas => Controller::new(order(scheme), 0.0, 0.9),
         Scheme::DormandPrince | Scheme::RungeKutta4 => Controller::new(order(scheme), 0.04, 0.9),
     }

@@ -81,9 +81,21 @@ impl Locator {
     }
 }
 
-/// Whether the course really gets below zero by more than noise: seen at its end, or at points on its way.
+/// Whether the course really gets below zero: at its end at all, on its way by more than noise.
 fn falls_below<const M: usize>(course: &[f64; M], noise: f64) -> bool {
-    course[M - 1] < 0.0 || (1..16).any(|i| split(course, i as f64 / 16.0).1[0] < -noise)
+    course[M - 1] < 0.0 || dips_below(course, -noise, 20)
+}
+
+/// Whether a polynomial in Bernstein form gets below `level`: its coefficients bound it, its ends are on it.
+fn dips_below<const M: usize>(course: &[f64; M], level: f64, halvings: u32) -> bool {
+    if course.iter().all(|&c| c >= level) {
+        return false;
+    }
+    if course[0] < level || course[M - 1] < level {
+        return true;
+    }
+    let (first, second) = split(course, 0.5);
+    halvings > 0 && (dips_below(&first, level, halvings - 1) || dips_below(&second, level, halvings - 1))
 }
 
 /// First root of a polynomial in Bernstein form over \[`low`, `high`\] that starts positive.
@@ -109,27 +121,33 @@ fn first_fall<const M: usize>(course: &[f64; M], low: f64, high: f64, switch: &i
     first_fall(&first, low, middle, switch).or_else(|| first_fall(&second, middle, high, switch))
 }
 
-/// Root of `switch` between `low` (positive) and `high` (not): regula falsi of the Illinois kind.
+/// Root of `switch` between `low` (positive) and `high` (not): regula falsi of the Illinois kind, to rounding.
 pub(super) fn bracketed(mut low: f64, mut high: f64, switch: &impl Fn(f64) -> f64) -> f64 {
     let (mut at_low, mut at_high) = (switch(low), switch(high));
     if at_low <= 0.0 {
         return low;
     }
+    let rounding = 2.0 * f64::EPSILON * at_low.max(at_high.abs());
+    let mut side = 0;
     for _ in 0..60 {
-        if at_high >= 0.0 || high - low <= 4.0 * f64::EPSILON * high {
+        if at_high >= 0.0 || high - low <= 2.0 * f64::EPSILON * high {
             break;
         }
         let theta = low + (high - low) * at_low / (at_low - at_high);
         let theta = if theta > low && theta < high { theta } else { 0.5 * (low + high) };
         let value = switch(theta);
-        if value == 0.0 {
+        if value.abs() <= rounding {
             return theta;
-        } else if value > 0.0 {
+        }
+        // The end that stays twice in a row is trusted half as much, or one end would never move.
+        if value > 0.0 {
             (low, at_low) = (theta, value);
-            at_high *= 0.5;
+            at_high *= if side == 1 { 0.5 } else { 1.0 };
+            side = 1;
         } else {
             (high, at_high) = (theta, value);
-            at_low *= 0.5;
+            at_low *= if side == -1 { 0.5 } else { 1.0 };
+            side = -1;
         }
     }
     high

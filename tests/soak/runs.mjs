@@ -114,8 +114,14 @@ const DAMAGES = [
 const set = (record, key, value) =>
   Object.defineProperty(record, key, { value, enumerable: true, writable: true, configurable: true });
 
-/** @param {unknown} record */
-const withOwn = (record) => (record && typeof record === 'object' ? { ...record } : {});
+/** A copy that can be added to; of what cannot be read, an empty one. @param {unknown} record */
+function withOwn(record) {
+  try {
+    return record && typeof record === 'object' ? { ...record } : {};
+  } catch {
+    return {};
+  }
+}
 
 /**
  * A run with one to three things wrong, or something that is no run at all; and what is wrong with it.

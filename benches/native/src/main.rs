@@ -1,30 +1,28 @@
-//! The native side of `npm run bench`: one line of JSON for each solver.
+//! The native side of `npm run bench`: one line of JSON for each measurement.
 
 mod case;
 mod contest;
+mod ours;
+#[cfg(feature = "peers")]
 mod peers;
+#[cfg(feature = "peers")]
 mod textbook;
 
 use case::Case;
+use serde_json::json;
 
 fn main() {
     let case = Case::read();
-    println!(
-        "{}",
-        contest::enter(&case, "ode_solvers dopri5", |tolerance| {
-            peers::ode_solvers_dopri5(&case, tolerance)
-        })
-    );
-    println!(
-        "{}",
-        contest::enter(&case, "ode_solvers dop853", |tolerance| {
-            peers::ode_solvers_dop853(&case, tolerance)
-        })
-    );
-    println!(
-        "{}",
-        contest::enter(&case, "diffsol tsit45", |tolerance| peers::diffsol_tsit45(
-            &case, tolerance
-        ))
-    );
+    let place = if cfg!(feature = "peers") { "shimmy, native (plain flags)" } else { "shimmy, native (this CPU)" };
+    println!("{}", json!({ "flags": env!("BUILD_FLAGS") }));
+    println!("{}", contest::enter(&case, place, |tolerance| ours::solve(&case, "auto", tolerance)));
+    #[cfg(feature = "peers")]
+    {
+        if let Some(tight) = ours::solve(&case, "dop853", 1e-13) {
+            println!("{}", json!({ "tight": case.errors(&tight.solution) }));
+        }
+        println!("{}", contest::enter(&case, "ode_solvers dopri5", |tolerance| peers::ode_solvers_dopri5(&case, tolerance)));
+        println!("{}", contest::enter(&case, "ode_solvers dop853", |tolerance| peers::ode_solvers_dop853(&case, tolerance)));
+        println!("{}", contest::enter(&case, "diffsol tsit45", |tolerance| peers::diffsol_tsit45(&case, tolerance)));
+    }
 }

@@ -8,7 +8,7 @@
  * @module
  */
 
-import { poseOf } from './pose.js';
+import { drawnAngle, drawnDeformation } from './pose.js';
 
 /** @typedef {import('./scene.js').Scene} Scene */
 /** @typedef {import('./pose.js').Pose} Pose */
@@ -35,7 +35,7 @@ const SPACING = 0.004;
  */
 export function traceBehind(scene, pose, length) {
   const { time, torsionAngle, lateralDeformation } = scene.track;
-  const velocity = scene.parameters['velocity'] ?? 0;
+  const velocity = scene.parameters.velocity ?? 0;
   const lead = pose.half - pose.caster;
   let x = lead * pose.cos - pose.deformation * pose.sin;
   let y = lead * pose.sin + pose.deformation * pose.cos;
@@ -43,15 +43,12 @@ export function traceBehind(scene, pose, length) {
   const xs = [x];
   const ys = [y];
   for (let i = time.length - 1; i >= 0 && x > end; i--) {
-    const age = scene.now - /** @type {number} */ (time[i]);
+    const age = scene.now - time[i];
     if (!(age > 0)) continue;
-    const past = poseOf(
-      scene,
-      /** @type {number} */ (torsionAngle[i]),
-      /** @type {number} */ (lateralDeformation[i]),
-    );
-    const px = lead * past.cos - past.deformation * past.sin - velocity * age;
-    const py = lead * past.sin + past.deformation * past.cos;
+    const angle = drawnAngle(scene, torsionAngle[i]);
+    const deformation = drawnDeformation(scene, lateralDeformation[i]);
+    const px = lead * Math.cos(angle) - deformation * Math.sin(angle) - velocity * age;
+    const py = lead * Math.sin(angle) + deformation * Math.cos(angle);
     if (Math.abs(px - x) < SPACING && Math.abs(py - y) < SPACING) continue;
     xs.push((x = px));
     ys.push((y = py));
@@ -77,8 +74,8 @@ export function contactLine(trace, pose) {
   let lastL = pose.half;
   let lastN = pose.deformation;
   for (let i = 1; i < trace.x.length && lastL > -pose.half; i++) {
-    const x = /** @type {number} */ (trace.x[i]);
-    const y = /** @type {number} */ (trace.y[i]);
+    const x = trace.x[i];
+    const y = trace.y[i];
     let l = x * pose.cos + y * pose.sin + pose.caster;
     let n = -x * pose.sin + y * pose.cos;
     if (l >= lastL) continue;
@@ -101,19 +98,19 @@ export function contactLine(trace, pose) {
  */
 export function bendAt(line, pose, l) {
   const last = line.l.length - 1;
-  const front = /** @type {number} */ (line.l[0]);
-  const back = /** @type {number} */ (line.l[last]);
+  const front = line.l[0];
+  const back = line.l[last];
   if (l >= front) {
-    return /** @type {number} */ (line.n[0]) * Math.exp((front - l) / pose.relaxation);
+    return line.n[0] * Math.exp((front - l) / pose.relaxation);
   }
   if (l <= back) {
-    return /** @type {number} */ (line.n[last]) * Math.exp((l - back) / pose.relaxation);
+    return line.n[last] * Math.exp((l - back) / pose.relaxation);
   }
   let i = 1;
-  while (/** @type {number} */ (line.l[i]) > l) i++;
-  const ahead = /** @type {number} */ (line.l[i - 1]);
-  const behind = /** @type {number} */ (line.l[i]);
+  while (line.l[i] > l) i++;
+  const ahead = line.l[i - 1];
+  const behind = line.l[i];
   const share = (ahead - l) / (ahead - behind);
-  const from = /** @type {number} */ (line.n[i - 1]);
-  return from + share * (/** @type {number} */ (line.n[i]) - from);
+  const from = line.n[i - 1];
+  return from + share * (line.n[i] - from);
 }

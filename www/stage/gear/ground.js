@@ -63,10 +63,10 @@ function drawSpeckles(ctx, sheet, scene, theme) {
     ctx.lineWidth = (layer === 0 ? 1 : 1.8) * sheet.line;
     ctx.beginPath();
     for (let i = layer; i < SPECKLES; i += 2) {
-      const x = wrap(/** @type {number} */ (speckles[3 * i]) - scene.roll, PERIOD);
-      const length = SHORTEST + /** @type {number} */ (speckles[3 * i + 2]) + exposure;
+      const x = wrap(speckles[3 * i] - scene.roll, PERIOD);
+      const length = SHORTEST + speckles[3 * i + 2] + exposure;
       if (x - length > visible) continue;
-      const height = /** @type {number} */ (speckles[3 * i + 1]);
+      const height = speckles[3 * i + 1];
       const y = top + inset + height * (bottom - top - 2 * inset);
       ctx.moveTo((x - length) * sheet.scale, y);
       ctx.lineTo(x * sheet.scale, y);

@@ -55,7 +55,7 @@ function writeSpring(desk) {
 /** The gap, with the factor by which it is drawn larger. @param {Desk} desk */
 function writeGap(desk) {
   const { ctx, sheet, scene, theme, words } = desk;
-  const freeplay = scene.parameters['freeplayAngle'] ?? 0;
+  const freeplay = scene.parameters.freeplayAngle ?? 0;
   if (!(freeplay > 0)) return;
   const { head, small } = sheet;
   const degrees = freeplay * DEGREES;

@@ -53,7 +53,7 @@ const TURNS = 3;
  */
 export function headPose(scene) {
   const psi = scene.state[0] ?? 0;
-  const freeplay = scene.parameters['freeplayAngle'] ?? 0;
+  const freeplay = scene.parameters.freeplayAngle ?? 0;
   const turn = scene.magnification * scene.forces.springAngle;
   const collar = Math.min(LARGEST_TURN, Math.max(-LARGEST_TURN, turn));
   if (!(freeplay > 0)) return { collar, tube: collar, gap: 0, touching: 0 };
@@ -72,7 +72,7 @@ export function drawHead(ctx, sheet, scene, theme) {
   const { x, y, radius } = sheet.head;
   const pose = headPose(scene);
   const wound = scene.forces.springAngle !== 0;
-  const stiff = (scene.parameters['torsionalStiffness'] ?? 1) > 0;
+  const stiff = (scene.parameters.torsionalStiffness ?? 1) > 0;
   ctx.save();
   ctx.translate(x, y);
   drawHousing(ctx, sheet, radius, theme);
@@ -81,7 +81,7 @@ export function drawHead(ctx, sheet, scene, theme) {
   ctx.globalAlpha = 1;
   drawCollar(ctx, sheet, radius, pose, theme);
   drawTube(ctx, sheet, radius, pose, theme);
-  drawDamper(ctx, sheet, radius, pose.tube, scene.parameters['dampingConstant'] ?? 0, theme);
+  drawDamper(ctx, sheet, radius, pose.tube, scene.parameters.dampingConstant ?? 0, theme);
   drawCross(ctx, sheet, radius, theme);
   ctx.restore();
 }

@@ -150,7 +150,7 @@ function overlaps(polygon, x, y, width, height) {
     maxY = Math.max(maxY, point.y);
   }
   if (maxX <= x || minX >= x + width || maxY <= y || minY >= y + height) return false;
-  let previous = /** @type {{x: number, y: number}} */ (polygon[polygon.length - 1]);
+  let previous = polygon[polygon.length - 1];
   for (const point of polygon) {
     const nx = point.y - previous.y;
     const ny = previous.x - point.x;

@@ -31,6 +31,12 @@ const LARGEST_DEFORMATION = 0.4;
 /** @param {number} value @param {number} limit */
 const within = (value, limit) => Math.min(limit, Math.max(-limit, Number.isFinite(value) ? value : 0));
 
+/** Mψ [rad]. @param {Scene} scene @param {number} psi */
+export const drawnAngle = (scene, psi) => within(scene.magnification * psi, LARGEST_ANGLE);
+
+/** My [m]. @param {Scene} scene @param {number} y */
+export const drawnDeformation = (scene, y) => within(scene.magnification * y, LARGEST_DEFORMATION);
+
 /**
  * @param {Scene} scene
  * @param {number} psi
@@ -39,12 +45,12 @@ const within = (value, limit) => Math.min(limit, Math.max(-limit, Number.isFinit
  */
 export function poseOf(scene, psi, y) {
   const { casterLength = 0, halfContactLength = 0.1, relaxationLength = 0.3 } = scene.parameters;
-  const angle = within(scene.magnification * psi, LARGEST_ANGLE);
+  const angle = drawnAngle(scene, psi);
   return {
     angle,
     cos: Math.cos(angle),
     sin: Math.sin(angle),
-    deformation: within(scene.magnification * y, LARGEST_DEFORMATION),
+    deformation: drawnDeformation(scene, y),
     caster: casterLength,
     half: halfContactLength,
     relaxation: relaxationLength,

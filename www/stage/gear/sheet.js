@@ -84,7 +84,7 @@ const LAYOUTS = {
 export function sheetFor(size, scene) {
   const layout = LAYOUTS[scene.layout];
   const { width, height } = size;
-  const caster = scene.parameters['casterLength'] ?? 0;
+  const caster = scene.parameters.casterLength ?? 0;
   const room = height - layout.verdict - layout.foot;
   const scale = Math.max(40, Math.min(width / layout.widthM, room / (layout.topM + layout.sideM)));
   const sideTop = layout.sideM > 0 ? height - layout.foot - layout.sideM * scale : height;

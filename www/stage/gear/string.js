@@ -99,7 +99,7 @@ function drawLine(ctx, sheet, pose, line, theme) {
   };
   const contact = () => {
     ctx.beginPath();
-    line.l.forEach((l, i) => ctx.lineTo(x(l), -sheet.scale * /** @type {number} */ (line.n[i])));
+    line.l.forEach((l, i) => ctx.lineTo(x(l), -sheet.scale * line.n[i]));
     ctx.stroke();
   };
   ctx.lineCap = 'round';

@@ -23,9 +23,17 @@ const GROOVES = [-0.33, -0.12, 0.12, 0.33];
 /** Sipes on the circumference; they show the wheel rolling. */
 const SIPES = 20;
 
+/** The tire's half width at a share of its radius, 1 in the middle and 0 at the ends. @param {number} share */
+const profile = (share) => (1 - Math.abs(share) ** ROUNDNESS) ** (1 / ROUNDNESS);
+
+/** The stations as shares of the radius, from −1 to 1, dense at the ends, and the widths there. */
+const shares = Float64Array.from({ length: STATIONS + 1 }, (_, i) =>
+  Math.sin((Math.PI / 2) * ((2 * i) / STATIONS - 1)),
+);
+const halfWidths = shares.map((share) => (WHEEL_WIDTH / 2) * profile(share));
+
 /**
- * The tire's outline in the wheel's frame: stations from the back to the front, dense at the
- * round ends, with the bent centre line and the half width at each.
+ * The tire's outline in the wheel's frame: stations from the back to the front with the bent centre line and the half width at each.
  *
  * @typedef {object} TireShape
  * @property {Float64Array} l
@@ -33,26 +41,14 @@ const SIPES = 20;
  * @property {Float64Array} half
  */
 
-/** The tire's half width at a share of its radius, 1 in the middle and 0 at the ends. @param {number} share */
-const profile = (share) => (1 - Math.abs(share) ** ROUNDNESS) ** (1 / ROUNDNESS);
-
 /**
  * @param {Pose} pose
  * @param {ContactLine} line
  * @returns {TireShape}
  */
 export function tireShape(pose, line) {
-  const l = new Float64Array(STATIONS + 1);
-  const bend = new Float64Array(STATIONS + 1);
-  const half = new Float64Array(STATIONS + 1);
-  for (let i = 0; i <= STATIONS; i++) {
-    const share = Math.sin((Math.PI / 2) * ((2 * i) / STATIONS - 1));
-    const station = pose.radius * share;
-    l[i] = station;
-    bend[i] = bendAt(line, pose, station);
-    half[i] = (WHEEL_WIDTH / 2) * profile(share);
-  }
-  return { l, bend, half };
+  const l = shares.map((share) => pose.radius * share);
+  return { l, bend: l.map((station) => bendAt(line, pose, station)), half: halfWidths };
 }
 
 /**
@@ -69,8 +65,8 @@ export function tireShape(pose, line) {
 function along(ctx, sheet, pose, shape, share, from, to) {
   const step = from < to ? 1 : -1;
   for (let i = from; i !== to + step; i += step) {
-    const n = /** @type {number} */ (shape.bend[i]) + share * /** @type {number} */ (shape.half[i]);
-    ctx.lineTo(sheet.scale * (/** @type {number} */ (shape.l[i]) - pose.caster), -sheet.scale * n);
+    const n = shape.bend[i] + share * shape.half[i];
+    ctx.lineTo(sheet.scale * (shape.l[i] - pose.caster), -sheet.scale * n);
   }
 }
 
@@ -166,13 +162,13 @@ function drawTread(ctx, sheet, scene, pose, line, shape, materials) {
     ctx.lineWidth = width * sheet.line;
     ctx.beginPath();
     for (const share of GROOVES) {
-      const start = shape.l[2] ?? 0;
-      const n = (shape.bend[2] ?? 0) + share * WHEEL_WIDTH;
+      const start = shape.l[2];
+      const n = shape.bend[2] + share * WHEEL_WIDTH;
       ctx.moveTo(sheet.scale * (start - pose.caster), -sheet.scale * n);
       for (let i = 3; i <= STATIONS - 2; i++) {
         ctx.lineTo(
-          sheet.scale * (/** @type {number} */ (shape.l[i]) - pose.caster),
-          -sheet.scale * (/** @type {number} */ (shape.bend[i]) + share * WHEEL_WIDTH),
+          sheet.scale * (shape.l[i] - pose.caster),
+          -sheet.scale * (shape.bend[i] + share * WHEEL_WIDTH),
         );
       }
     }

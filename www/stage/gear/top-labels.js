@@ -34,7 +34,7 @@ const decimalsAt = (magnification) => (magnification < 20 ? 1 : 2);
 export function writeTopNotes(desk) {
   const { ctx, sheet, scene, theme, words, placer } = desk;
   const { small, label, band } = sheet;
-  const velocity = scene.parameters['velocity'] ?? 0;
+  const velocity = scene.parameters.velocity ?? 0;
   const decimals = Number.isInteger(velocity) ? 0 : 1;
   const speed = formatNumber(velocity, decimals, words.language);
   const arrow = sheet.roomy ? 0.115 * sheet.width : 44;

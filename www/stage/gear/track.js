@@ -20,7 +20,7 @@ const RIBBON_WIDTH = 0.13;
 export function drawTrack(ctx, sheet, trace, theme) {
   const count = trace.x.length;
   if (count < 2) return;
-  const newest = sheet.axis.x + sheet.scale * /** @type {number} */ (trace.x[0]);
+  const newest = sheet.axis.x + sheet.scale * trace.x[0];
 
   const ribbon = ctx.createLinearGradient(newest, 0, -0.06 * sheet.width, 0);
   const { mark } = materialsFor(theme);
@@ -58,8 +58,8 @@ function follow(ctx, sheet, trace, from, until, aside) {
   const step = from < until ? 1 : -1;
   for (let i = from; i !== until; i += step) {
     ctx.lineTo(
-      sheet.axis.x + sheet.scale * /** @type {number} */ (trace.x[i]),
-      sheet.axis.y - sheet.scale * (/** @type {number} */ (trace.y[i]) + aside),
+      sheet.axis.x + sheet.scale * trace.x[i],
+      sheet.axis.y - sheet.scale * (trace.y[i] + aside),
     );
   }
 }
