@@ -21,3 +21,7 @@ const server = await createServer({ server: { host, port: port ? Number(port) : 
 await server.listen();
 console.log('\nOpen this address in a browser; Ctrl+C ends.');
 server.printUrls();
+
+// npm runs us in a shell that passes no signal on: when it is gone, we go.
+const shell = process.ppid;
+if (process.env.npm_lifecycle_event) setInterval(() => process.ppid === shell || process.exit(), 500).unref();
