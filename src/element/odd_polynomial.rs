@@ -11,7 +11,7 @@ const NODES: usize = 24;
 /// the function itself is called.
 ///
 /// The fit is a Chebyshev interpolation of f(√u)/√u in u = x², cut after `TERMS` terms. Its error is the sum of the
-/// coefficients cut off, which must lie at rounding (4 · 2⁻⁵² of the largest |P|): otherwise `range` is 0 and every call
+/// coefficients cut off, which must lie at rounding (4 · 2⁻⁵² of the terms' size): otherwise `range` is 0 and every call
 /// goes to the function. An odd analytic f whose nearest singularity is at x = ±i (arc tangents) converges like
 /// (4/range²)⁻ⁿ.
 #[derive(Clone, Copy, Debug)]
@@ -25,8 +25,9 @@ pub struct OddPolynomial<const TERMS: usize> {
 impl<const TERMS: usize> OddPolynomial<TERMS> {
     /// Fits `function` on |x| ≤ `range`.
     ///
-    /// `function` must be odd, and analytic on the range.
-    pub fn fit(range: f64, function: impl Fn(f64) -> f64) -> Self {
+    /// `function` must be odd, and analytic on the range; `size` is the size of its terms (per unit of x), by which the
+    /// error is measured.
+    pub fn fit(range: f64, size: f64, function: impl Fn(f64) -> f64) -> Self {
         let to_unit = 2.0 / (range * range);
         let exact_only = Self { coefficients: [0.0; TERMS], to_unit: 0.0, range: 0.0 };
         if !(range > 0.0 && to_unit.is_finite() && to_unit > 0.0) {
@@ -43,11 +44,10 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
             let sum: f64 = (0..NODES).map(|node| values[node] * cosine(order * (2 * node + 1))).sum();
             sum * if order == 0 { 1.0 } else { 2.0 } / NODES as f64
         });
-        let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         // A series that converges falls from term to term: the first few cut off stand for all. (Rounding leaves about
         // ε/2 in each.)
         let cut_off: f64 = chebyshev[TERMS..TERMS + 4].iter().map(|c| c.abs()).sum();
-        if !(cut_off <= 4.0 * f64::EPSILON * largest) {
+        if !(cut_off <= 4.0 * f64::EPSILON * size) {
             return exact_only;
         }
         Self { coefficients: to_powers(&chebyshev), to_unit, range }
@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn arc_tangent_is_exact_to_rounding() {
-        let fit = OddPolynomial::<8>::fit(0.13, f64::atan);
+        let fit = OddPolynomial::<8>::fit(0.13, 1.0, f64::atan);
         assert_eq!(fit.range(), 0.13);
         for i in 0..=10_000 {
             let x = 0.13 * i as f64 / 10_000.0;
@@ -123,14 +123,14 @@ mod tests {
 
     #[test]
     fn beyond_its_range_the_function_itself_is_called() {
-        let fit = OddPolynomial::<8>::fit(0.1, f64::atan);
+        let fit = OddPolynomial::<8>::fit(0.1, 1.0, f64::atan);
         assert_eq!(fit.eval(0.7, f64::atan), 0.7_f64.atan());
         // Too wide for eight terms: refused at the fit, exact at every call.
-        let wide = OddPolynomial::<8>::fit(1.5, f64::atan);
+        let wide = OddPolynomial::<8>::fit(1.5, 1.0, f64::atan);
         assert_eq!(wide.range(), 0.0);
         assert_eq!(wide.eval(0.3, f64::atan), 0.3_f64.atan());
         for hopeless in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-200, 1e200] {
-            assert_eq!(OddPolynomial::<8>::fit(hopeless, f64::atan).range(), 0.0, "{hopeless}");
+            assert_eq!(OddPolynomial::<8>::fit(hopeless, 1.0, f64::atan).range(), 0.0, "{hopeless}");
         }
     }
 }

@@ -12,7 +12,7 @@ use table::{A, B, C, D, E3, E5};
 /// Stage of the derivative at the end, which is the first of the next step.
 pub(super) const END: usize = 12;
 
-#[inline(always)]
+#[inline(never)]
 pub(super) fn attempt<S: System<N>, const N: usize>(
     system: &S,
     mode: Mode,

@@ -34,7 +34,7 @@ const D: [f64; 7] = [
 /// Stage of the derivative at the end, which is the first of the next step.
 pub(super) const END: usize = 6;
 
-#[inline(always)]
+#[inline(never)]
 pub(super) fn attempt<S: System<N>, const N: usize>(
     system: &S,
     mode: Mode,

@@ -56,6 +56,9 @@ pub enum Failure {
     StepTooSmall,
 }
 
+/// Most switches of a system: a bit each, and room for their values.
+const MOST_SWITCHES: usize = 8;
+
 /// Explicit steps in a row that must look stiff before a run counts as such, and how often one looks.
 const STIFF_IN_A_ROW: u32 = 15;
 const STIFF_INTERVAL: u64 = 25;
@@ -79,6 +82,8 @@ pub struct Integrator<S, const N: usize> {
     x: [f64; N],
     /// Step to try next.
     h: f64,
+    /// Values and slopes of the switches at (t, x), where they apply.
+    switches: [Option<(f64, f64)>; MOST_SWITCHES],
     /// Switches passed whose value has not left zero since: a bit each.
     fresh: u32,
     controller: Controller,
@@ -127,6 +132,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             t,
             x,
             h: fixed_step,
+            switches: [None; MOST_SWITCHES],
             fresh: 0,
             controller: controller(scheme),
             stiff_looking: 0,
@@ -165,6 +171,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.scheme = self.method.scheme(self.tolerance.relative);
         self.controller = controller(self.scheme);
         self.h = if self.scheme == Scheme::RungeKutta4 { self.fixed_step } else { self.first_step() };
+        self.look_at_switches();
         Ok(())
     }
 
@@ -320,7 +327,8 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             }
         };
         let scale: [f64; N] = std::array::from_fn(|i| {
-            let size = self.x[i].abs().max(attempt.end[i].abs());
+            let (start, end) = (self.x[i].abs(), attempt.end[i].abs());
+            let size = if start > end { start } else { end };
             1.0 / (self.tolerance.absolute[i] + self.tolerance.relative * size)
         });
         let error = match self.scheme {
@@ -393,13 +401,13 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     #[inline(always)]
     fn first_switch(&mut self, h: f64) -> Option<(usize, f64)> {
         let fresh = self.fresh;
+        let start = self.switches;
+        self.look_at_switches();
         let mut suspects = 0_u32;
         for which in 0..S::SWITCHES {
-            let Some((start, start_slope)) = self.switch_with_slope(which, self.from_t, &self.from_x, &self.start_rate)
-            else {
+            let (Some((start, start_slope)), Some((end, end_slope))) = (start[which], self.switches[which]) else {
                 continue;
             };
-            let Some((end, end_slope)) = self.switch_with_slope(which, self.t, &self.x, &self.f) else { continue };
             let ends = Ends { start, start_slope: h * start_slope, end, end_slope: h * end_slope };
             suspects |= u32::from(!ends.stays_positive(fresh >> which & 1 == 1)) << which;
             if end > 0.0 {
@@ -409,11 +417,15 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         if suspects == 0 { None } else { self.locate(suspects, fresh) }
     }
 
+    /// Values and slopes of the switches at the end of the last step, where the next one starts.
     #[inline(always)]
-    fn switch_with_slope(&self, which: usize, t: f64, x: &[f64; N], rate: &[f64; N]) -> Option<(f64, f64)> {
-        let along: [Dual<1>; N] = std::array::from_fn(|i| Dual { value: x[i], slope: [rate[i]] });
-        let value = self.system.switch(which, Dual::variable(t, 0), self.mode, &along)?;
-        Some((value.value, value.slope[0]))
+    fn look_at_switches(&mut self) {
+        const { assert!(S::SWITCHES <= MOST_SWITCHES) };
+        let along: [Dual<1>; N] = std::array::from_fn(|i| Dual { value: self.x[i], slope: [self.f[i]] });
+        for which in 0..S::SWITCHES {
+            let value = self.system.switch(which, Dual::variable(self.t, 0), self.mode, &along);
+            self.switches[which] = value.map(|value| (value.value, value.slope[0]));
+        }
     }
 
     /// The first of the suspected switches on the dense output, and the θ where it falls.
@@ -462,9 +474,9 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.mode = self.system.cross(which, self.mode);
         self.f = self.system.rate(self.t, self.mode, &self.x);
         self.stats.evaluations += 1;
-        for other in 0..S::SWITCHES {
-            let left = self.system.switch(other, self.t, self.mode, &self.x).is_none_or(|value| value > 0.0);
-            if left {
+        self.look_at_switches();
+        for (other, value) in self.switches.iter().enumerate() {
+            if value.is_none_or(|(value, _)| value > 0.0) {
                 self.fresh &= !(1 << other);
             }
         }
@@ -528,6 +540,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         (self.mode, self.from_mode, self.fresh) = (Mode(mode as u32), Mode(from_mode as u32), fresh as u32);
         (self.stiff_looking, self.in_place, self.stats.stiff) = (looking as u32, in_place as u32, stiff != 0);
         self.dense_ready = false;
+        self.look_at_switches();
         sound && self.h > 0.0 && self.length >= 0.0
     }
 

@@ -131,7 +131,7 @@ pub(crate) fn jacobian<S: System<N>, const N: usize>(system: &S, mode: Mode, t: 
 /// where the matrix is singular.
 ///
 /// Stage i solves (1/(γh) − J) kᵢ = f(t + cᵢh, uᵢ) + Σ Cᵢⱼkⱼ/h + h dᵢ ∂f/∂t.
-#[inline(always)]
+#[inline(never)]
 pub(super) fn attempt<S: System<N>, const N: usize>(
     system: &S,
     mode: Mode,

@@ -7,7 +7,7 @@ use super::{
 use crate::model::{Mode, System};
 
 /// W. Kutta, *Z. Math. Phys.* 46 (1901) 435–453.
-#[inline(always)]
+#[inline(never)]
 pub(super) fn attempt<S: System<N>, const N: usize>(
     system: &S,
     mode: Mode,

@@ -4,7 +4,11 @@ use serde::Serialize;
 
 use super::{Mode, Model, System};
 use crate::{
-    element::{Boundary, Side, freeplay::spring_angle, tire_law::PiecewiseTireLaw},
+    element::{
+        Boundary, Side,
+        freeplay::spring_angle,
+        tire_law::{PiecewiseTireLaw, SteeringMoment},
+    },
     parameter::{Parameter, Scale, StateVariable, Validity},
     real::Real,
 };
@@ -75,9 +79,11 @@ pub struct Torsional {
     stiffness: f64,
     /// c + κ/v
     damping: f64,
-    caster_length: f64,
     freeplay: f64,
     law: PiecewiseTireLaw,
+    /// tan δ and tan α_g
+    limits: [f64; 2],
+    steering_moment: SteeringMoment,
 }
 
 /// Forces at a state: what a drawing shows.
@@ -128,10 +134,10 @@ impl System<3> for Torsional {
     fn rate<R: Real>(&self, _t: R, mode: Mode, x: &[R; 3]) -> [R; 3] {
         let [psi, psi_rate, y] = *x;
         let q = y * self.slip_ratio;
-        let side_force = self.law.side_force(q, mode.side(SIDE_FORCE));
-        let aligning_moment = self.law.aligning_moment(q, mode.side(ALIGNING));
+        // M_z − e F_y
+        let tire = self.steering_moment.at(q, mode.side(SIDE_FORCE), mode.side(ALIGNING));
         let spring = self.spring_angle(mode, psi) * self.stiffness;
-        let torque = aligning_moment - side_force * self.caster_length - spring - psi_rate * self.damping;
+        let torque = tire - spring - psi_rate * self.damping;
         [psi_rate, torque * self.mobility, psi * self.velocity + psi_rate * self.lever - y * self.relaxation_rate]
     }
 
@@ -139,8 +145,8 @@ impl System<3> for Torsional {
         let q = x[Y] * self.slip_ratio;
         let y_rate = self.rate(t, Mode::default(), x)[Y];
         let mut mode = Mode::default()
-            .with_side(SIDE_FORCE, Side::of(q, y_rate, self.law.side_force_limit()))
-            .with_side(ALIGNING, Side::of(q, y_rate, self.law.aligning_limit()));
+            .with_side(SIDE_FORCE, Side::of(q, y_rate, self.limits[SIDE_FORCE]))
+            .with_side(ALIGNING, Side::of(q, y_rate, self.limits[ALIGNING]));
         if self.freeplay > 0.0 {
             mode = mode.with_side(FREEPLAY, Side::of(x[PSI], x[PSI_RATE], self.freeplay));
         }
@@ -152,8 +158,7 @@ impl System<3> for Torsional {
         let kink = which / 2;
         let boundary = if which % 2 == 0 { Boundary::Upper } else { Boundary::Lower };
         let (quantity, limit) = match kink {
-            SIDE_FORCE => (x[Y] * self.slip_ratio, self.law.side_force_limit()),
-            ALIGNING => (x[Y] * self.slip_ratio, self.law.aligning_limit()),
+            SIDE_FORCE | ALIGNING => (x[Y] * self.slip_ratio, self.limits[kink]),
             _ if self.freeplay > 0.0 => (x[PSI], self.freeplay),
             _ => return None,
         };
@@ -181,6 +186,7 @@ impl Model<3> for Torsional {
         let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, delta, alpha_g, kappa, freeplay] = values else {
             unreachable!("a checked run has as many values as the table has parameters")
         };
+        let law = PiecewiseTireLaw::new(c_f_alpha * f_z, c_m_alpha * f_z, delta, alpha_g);
         Self {
             velocity: v,
             lever: e - a,
@@ -189,9 +195,10 @@ impl Model<3> for Torsional {
             mobility: 1.0 / i_z,
             stiffness: k,
             damping: c + kappa / v,
-            caster_length: e,
             freeplay,
-            law: PiecewiseTireLaw::new(c_f_alpha * f_z, c_m_alpha * f_z, delta, alpha_g),
+            law,
+            limits: [law.side_force_limit(), law.aligning_limit()],
+            steering_moment: SteeringMoment::new(law, e),
         }
     }
 

@@ -104,7 +104,8 @@ fn series(array: &Float64Array, field: &str) -> Result<Value> {
     if length > MOST_SAMPLES {
         return Err(too_long(field, length as f64));
     }
-    Ok(Value::Numbers(array.to_vec()))
+    // A detached array has no length, and throws when it is copied.
+    Ok(Value::Numbers(if length == 0 { Vec::new() } else { array.to_vec() }))
 }
 
 fn list(js: &JsValue, field: &str) -> Result<Value> {
@@ -131,7 +132,11 @@ fn record(js: &JsValue, field: &str, depth: usize) -> Result<Value> {
     }
     let mut entries = Vec::with_capacity(keys.length() as usize);
     for key in keys.iter() {
-        let name = key.as_string().unwrap_or_else(|| "a symbol".into());
+        let name = match key.as_string() {
+            Some(name) if name.is_empty() => format!("the empty key of {field}"),
+            Some(name) => name,
+            None => format!("a symbol of {field}"),
+        };
         let inner = Reflect::get(js, &key).map_err(|_| unreadable(&name))?;
         entries.push((name.clone(), read(&inner, &name, depth + 1)?));
     }
@@ -145,6 +150,7 @@ fn record(js: &JsValue, field: &str, depth: usize) -> Result<Value> {
 pub(super) fn bytes(js: &JsValue, field: &str) -> Result<Vec<u8>> {
     let allowed = "a Uint8Array of at most 1 MiB";
     match js.dyn_ref::<js_sys::Uint8Array>().filter(|_| is_view(js)) {
+        Some(array) if array.length() == 0 => Ok(Vec::new()), // detached ones too, which throw when they are copied
         Some(array) if array.length() <= 1 << 20 => Ok(array.to_vec()),
         Some(array) => Err(Error::new(Code::TooLarge, field, format!("{} bytes", array.length()), allowed)),
         None => Err(Error::new(Code::WrongType, field, value(js, field)?.shown(), allowed)),

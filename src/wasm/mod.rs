@@ -16,6 +16,7 @@ use crate::{
     Error, Run,
     integrate::methods as list_of_methods,
     model::{self, Model, Torsional, torsional},
+    parameter::{Validity, check_number},
     run::Value,
 };
 
@@ -85,11 +86,14 @@ pub fn forces(
 ) -> Result<JsValue, JsValue> {
     let run = torsional_run(&parameters)?;
     let refused = |got: String| {
-        let allowed = "three finite numbers: torsionAngle, torsionRate, lateralDeformation";
+        let allowed = "three numbers: torsionAngle, torsionRate, lateralDeformation";
         output::error(Error::new(crate::Code::WrongType, "state", got, allowed))
     };
     match input::value(&state, "state").map_err(output::error)? {
-        Value::Numbers(x) if x.len() == 3 && x.iter().all(|value| value.is_finite()) => {
+        Value::Numbers(x) if x.len() == 3 => {
+            for (state, value) in Torsional::STATE.iter().zip(&x) {
+                check_number(state.name, *value, Validity::Finite, state.unit).map_err(output::error)?;
+            }
             output::record(&Torsional::new(run.parameters()).forces(&[x[0], x[1], x[2]]))
         }
         other => Err(refused(other.shown())),
