@@ -15,15 +15,15 @@ const TOOLCHAIN = 'debian';
 /** Debian's compiler. */
 const compiler = () => packageFile('rustc-web', '/bin/rustc');
 
-/** The linker of the same LLVM as the compiler: `rustc -vV` names it. @param {string} rustc */
+/** The major version of the compiler's LLVM, which the linker's must equal. @param {string} rustc */
 const llvmOf = (rustc) => ask(rustc, ['--version', '--verbose']).out.match(/^LLVM version: (\d+)/m)?.[1];
+
+/** @param {string} rustc */
+const linkerOf = (rustc) => `wasm-ld-${llvmOf(rustc)}`;
 
 /** Whether an earlier run has built and installed everything. */
 export const debianIsReady = () =>
-  onDebian() &&
-  packageVersion('rustc-web') !== null &&
-  whereIs(`wasm-ld-${llvmOf(compiler())}`) !== null &&
-  canCompile(compiler());
+  onDebian() && packageVersion('rustc-web') !== null && canCompile(compiler(), linkerOf(compiler()));
 
 /** Clippy for Debian's compiler. */
 export const findDebianClippy = () => need('rust-web-clippy');
@@ -32,7 +32,7 @@ export const findDebianClippy = () => need('rust-web-clippy');
 export function debianEnvironment() {
   const rustc = compiler();
   const version = ask(rustc, ['--version']).out.replace(/ \(.*/, '');
-  const linker = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER: `wasm-ld-${llvmOf(rustc)}` };
+  const linker = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER: linkerOf(rustc) };
   if (!whereIs('rustup')) return { version, environment: { ...linker, RUSTC: rustc } };
 
   if (ask('rustup', ['which', '--toolchain', TOOLCHAIN, 'rustc']).out !== rustc) {
@@ -46,8 +46,8 @@ export function debianEnvironment() {
 export function buildForDebian() {
   need('rustc-web', 'rust-web-src');
   const rustc = compiler();
-  if (!whereIs(`wasm-ld-${llvmOf(rustc)}`)) need(`lld-${llvmOf(rustc)}`);
-  if (canCompile(rustc)) return;
+  if (!whereIs(linkerOf(rustc))) need(`lld-${llvmOf(rustc)}`);
+  if (canCompile(rustc, linkerOf(rustc))) return;
 
   busy(STEP, "building the standard library from Debian's source, about a minute");
   const library = dirname(dirname(packageFile('rust-web-src', '/library/sysroot/Cargo.toml')));
@@ -57,7 +57,7 @@ export function buildForDebian() {
   } finally {
     rmSync(scratch, { recursive: true, force: true });
   }
-  if (!canCompile(rustc)) throw new Missing(`${rustc} refuses the standard library just built for ${TARGET}`);
+  if (!canCompile(rustc, linkerOf(rustc))) throw new Missing(`${rustc} refuses the standard library just built for ${TARGET}`);
 }
 
 /** Packages, of one and the same version where they are of the compiler. @param {...string} names */
