@@ -102,7 +102,7 @@ export class Page extends LitElement {
             @lens=${(/** @type {CustomEvent} */ event) => this.#store.update({ lens: event.detail })}></shimmy-lens-tabs>
           <shimmy-phase-lens id="lens-panel" role="tabpanel" aria-labelledby="tab-${lens}" .voice=${voice}
             @fit=${this.#fit}></shimmy-phase-lens>
-          ${this.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.name')} .voice=${voice} .quantities=${this.#quantities}
+          ${this.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.all', { count: this.#quantities.length })} .voice=${voice} .quantities=${this.#quantities}
             .values=${parameters} .usual=${this.#usual} .change=${change} @settle=${this.#settle}
             @close=${this.#toggleDrawer}></shimmy-drawer>` : ''}
         </section>

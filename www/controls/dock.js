@@ -1,5 +1,6 @@
 import { LitElement, html } from 'lit';
 import './knob.js';
+import { nameOf } from './quantity.js';
 import { symbolOf } from './symbol.js';
 
 /**
@@ -49,9 +50,8 @@ export class Dock extends LitElement {
       <div class="chips" role="group" aria-label=${voice.say('dock.choose')}>
         ${shown.map((quantity) => html`
           <button type="button" aria-pressed=${this.chosen === quantity.name ? 'true' : 'false'}
-            aria-label="${voice.say(/** @type {any} */ (`parameter.${quantity.name}`))} ${quantity.write(values[quantity.name], voice)}"
             @click=${() => { this.chosen = quantity.name; }}>
-            ${symbolOf(quantity.parameter.symbol)} ${short(values[quantity.name], quantity, voice)}
+            <span class="only-heard">${nameOf(quantity, voice)}</span> ${symbolOf(quantity.parameter.symbol)} ${short(values[quantity.name], quantity, voice)}
           </button>`)}
         <button type="button" aria-expanded=${this.isOpen ? 'true' : 'false'} @click=${() => this.#ask('drawer')}>
           ${voice.say('dock.all.short', { count })}

@@ -1,6 +1,6 @@
 import { LitElement, html } from 'lit';
 import { parseNumber } from '../words/number.js';
-import { isWord } from '../words/voice.js';
+import { nameOf } from './quantity.js';
 import { explain } from './refusal.js';
 import { symbolOf } from './symbol.js';
 
@@ -54,7 +54,7 @@ export class Knob extends LitElement {
   render() {
     const { quantity, voice } = this;
     if (!quantity || !voice) return html``;
-    const name = this.#name(quantity, voice);
+    const name = nameOf(quantity, voice);
     const id = `knob-${quantity.name}-${this.dataset.place}`;
     const usual = quantity.write(this.usual, voice);
     const reset = voice.say('knob.reset', { name, value: usual });
@@ -75,12 +75,6 @@ export class Knob extends LitElement {
         style="--place: ${quantity.placeOf(this.value)}"
         @input=${this.#dragged} @change=${this.#settle} @keydown=${this.#sliderKey} />
       <p id="${id}-refusal" class="refusal" role="alert">${sentence}</p>`;
-  }
-
-  /** @param {Quantity} quantity @param {Voice} voice */
-  #name(quantity, voice) {
-    const key = `parameter.${quantity.name}`;
-    return isWord(key) ? voice.say(key) : quantity.name;
   }
 
   /** @param {Event} event */

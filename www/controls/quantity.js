@@ -6,6 +6,7 @@
  */
 
 import { decimalsOf } from '../words/number.js';
+import { isWord } from '../words/voice.js';
 
 const degree = Math.PI / 180;
 
@@ -102,4 +103,14 @@ export class Quantity {
  */
 export function withUnit(number, unit) {
   return unit === '' || unit === '°' ? number + unit : `${number} ${unit}`;
+}
+
+/**
+ * The parameter in words; its name in the table where the page has no word for it yet.
+ * @param {Quantity} quantity
+ * @param {Voice} voice
+ */
+export function nameOf({ name }, voice) {
+  const key = `parameter.${name}`;
+  return isWord(key) ? voice.say(key) : name;
 }

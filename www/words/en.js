@@ -105,7 +105,6 @@ export const en = {
   'dock.reset': 'Reset all',
   'knob.reset': '{name} back to {value}',
   'knob.number': '{name}, exact number',
-  'knob.slider': '{name}',
 
   'parameter.velocity': 'Speed',
   'parameter.casterLength': 'Caster',

@@ -105,7 +105,6 @@ export const tr = {
   'dock.reset': 'Hepsini sıfırla',
   'knob.reset': '{name} yeniden {value}',
   'knob.number': '{name}, tam sayısal değer',
-  'knob.slider': '{name}',
 
   'parameter.velocity': 'Hız',
   'parameter.casterLength': 'Kaster',

@@ -1,0 +1,113 @@
+// The page for everybody: axe-core's rules in every layout, theme and state; nothing wider than the screen; targets
+// large enough for a thumb; everything within reach of the keyboard.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { launch, open, type, untilVerdict } from './chromium.mjs';
+import { serve } from './site.mjs';
+
+const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const sizes = [[1440, 900], [1024, 768], [390, 844], [720, 450]];
+
+/** @type {import('playwright-core').Browser} */
+let browser;
+/** @type {Awaited<ReturnType<typeof serve>>} */
+let server;
+before(async () => {
+  server = await serve();
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+/** @param {import('playwright-core').Page} page @returns {Promise<string[]>} */
+async function violations(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { violations } = await /** @type {any} */ (window).axe.run();
+    return violations.flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ { target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
+  });
+}
+
+for (const [width, height] of sizes)
+  for (const colorScheme of /** @type {const} */ (['light', 'dark']))
+    test(`axe-core finds nothing at ${width} × ${height}, ${colorScheme}`, async () => {
+      const { page, leave } = await open(browser, server.address, { viewport: { width, height }, colorScheme });
+      await untilVerdict(page, 'It shimmies');
+      assert.deepEqual(await violations(page), []);
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, 'wider than the screen');
+      await page.locator('shimmy-dock button[aria-expanded]:visible').first().click();
+      await page.locator('summary').click();
+      assert.deepEqual(await violations(page), [], 'with drawer and menu open');
+      await leave();
+    });
+
+test('axe-core finds nothing while a value is refused and a link is bad', async () => {
+  const { page, leave } = await open(browser, `${server.address}#shimmy=1&color=red&velocity=80`);
+  await page.locator('.note').waitFor();
+  await type(page, 'velocity', 'fast');
+  assert.deepEqual(await violations(page), []);
+  await leave();
+});
+
+test('on a phone every target is large enough for a thumb', async () => {
+  const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await untilVerdict(page, 'It shimmies');
+  const small = await page.evaluate(() => [...document.querySelectorAll('button, select, summary, input')]
+    // A label takes the press for its radio button.
+    .map((element) => ({ name: element.className || element.id || element.tagName, box: (element.closest('label') ?? element).getBoundingClientRect(), isShown: getComputedStyle(element).visibility === 'visible' }))
+    .filter(({ box, isShown }) => isShown && box.width > 0 && (box.height < 44 || box.width < 44))
+    .map(({ name, box }) => `${name} ${box.width} × ${box.height}`));
+  assert.deepEqual(small, []);
+  await leave();
+});
+
+test('on a phone the gear stays in sight and the page scrolls under it', async () => {
+  const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 } });
+  await untilVerdict(page, 'It shimmies');
+  await page.mouse.move(200, 600);
+  await page.mouse.wheel(0, 2000);
+  await page.waitForTimeout(200);
+  const gear = await page.locator('.gear').boundingBox();
+  assert.ok(gear && gear.y >= 0 && gear.y < 10, `the gear is at ${gear?.y}`);
+  await leave();
+});
+
+test('the keyboard reaches every control, with its focus to be seen', async () => {
+  const { page, leave } = await open(browser, server.address);
+  await untilVerdict(page, 'It shimmies');
+  const reached = new Set();
+  for (let i = 0; i < 60; i++) {
+    await page.keyboard.press('Tab');
+    const at = await page.evaluate(() => {
+      const element = document.activeElement;
+      if (!element || element === document.body) return null;
+      const { outlineStyle, outlineWidth } = getComputedStyle(element);
+      return { name: element.getAttribute('aria-label') ?? element.textContent?.trim() ?? element.id, isSeen: outlineStyle !== 'none' && parseFloat(outlineWidth) >= 2 };
+    });
+    if (!at) continue;
+    assert.ok(at.isSeen, `${at.name} has the focus, unseen`);
+    reached.add(at.name);
+  }
+  for (const name of ['Pause', 'Step back', 'Rate', 'Time', 'Phase', 'Fit', 'Speed, exact number', 'All 14 values ▴', 'Copy link'])
+    assert.ok(reached.has(name), `${name} is out of reach: ${[...reached].join(' | ')}`);
+  await leave();
+});
+
+test('a slider obeys the arrow keys: one step, Shift × 10, Alt ÷ 10; a series of them is one undo', async () => {
+  const { page, leave } = await open(browser, server.address);
+  await untilVerdict(page, 'It shimmies');
+  const number = page.locator('shimmy-dock shimmy-knob[data-name="dampingConstant"] .number');
+  await number.focus();
+  for (const key of ['ArrowUp', 'Shift+ArrowUp', 'Alt+ArrowUp', 'Shift+ArrowDown']) await page.keyboard.press(key);
+  assert.equal(await number.inputValue(), '21.1');
+  await page.locator('body').click({ position: { x: 700, y: 25 } });
+  await page.keyboard.press('Control+z');
+  await page.waitForTimeout(100);
+  assert.notEqual(await number.inputValue(), '21.1');
+  await leave();
+});

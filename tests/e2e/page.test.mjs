@@ -1,0 +1,231 @@
+// What a visitor does, in both places where the page must work.
+
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { gearPixels, knob, launch, open, type, untilVerdict, verdict } from './chromium.mjs';
+import { fileAddress, serve } from './site.mjs';
+
+/** @type {import('playwright-core').Browser} */
+let browser;
+/** @type {Awaited<ReturnType<typeof serve>>} */
+let server;
+before(async () => {
+  server = await serve();
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+/** @type {[string, () => string][]} */
+const places = [['a server, under a sub-path', () => server.address], ['a file', () => fileAddress]];
+
+for (const [place, address] of places) {
+  describe(`from ${place}`, () => {
+    test('it opens running: the wheel moves, and shimmies', async () => {
+      const { page, leave } = await open(browser, address());
+      await untilVerdict(page, 'It shimmies');
+      const one = await gearPixels(page);
+      await page.waitForTimeout(150);
+      const other = await gearPixels(page);
+      // The wheel is in the middle of the upper rows; the ground moves too, so many places change.
+      assert.ok(one.filter((sum, i) => sum !== other[i]).length > 8, 'the drawing stands still');
+      assert.equal(await page.getByRole('button', { name: 'Pause' }).count(), 1);
+      await leave();
+    });
+
+    test('the cycle at 80 m/s and 20 N m s/rad is read off the page', async () => {
+      const { page, leave } = await open(browser, address());
+      await page.locator('.destination', { hasText: '0.26508 rad' }).waitFor();
+      assert.match(await page.locator('.destination').innerText(), /±15\.188° \(0\.26508 rad\) · 51\.87 Hz/);
+      await leave();
+    });
+
+    test('the damping dragged past its boundary, it dies out; undone, it shimmies again', async () => {
+      const { page, leave } = await open(browser, address());
+      await untilVerdict(page, 'It shimmies');
+      const { slider, number } = knob(page, 'dampingConstant');
+      const box = await slider.boundingBox();
+      assert.ok(box);
+      const y = box.y + box.height / 2;
+      await page.mouse.move(box.x + 14 + 0.1 * (box.width - 28), y);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 0.2 * box.width, y, { steps: 5 });
+      await page.mouse.move(box.x + 0.4 * box.width, y, { steps: 10 });
+      await page.mouse.up();
+      await untilVerdict(page, 'It dies out');
+      assert.ok(Number(await number.inputValue()) > 60);
+      assert.equal(await page.locator('.destination').innerText(), 'No limit cycle from here: this swing dies out.');
+      await page.getByRole('button', { name: 'Undo' }).click();
+      await untilVerdict(page, 'It shimmies');
+      assert.equal(await number.inputValue(), '20.0');
+      assert.ok(await page.getByRole('button', { name: 'Undo' }).isDisabled(), 'one drag is one undo');
+      await page.getByRole('button', { name: 'Redo' }).click();
+      await untilVerdict(page, 'It dies out');
+      await leave();
+    });
+
+    test('both decimal signs are taken; what is refused is explained, and the run keeps the last good value', async () => {
+      const { page, leave } = await open(browser, address());
+      await untilVerdict(page, 'It shimmies');
+      const { number, refusal } = knob(page, 'velocity');
+      await type(page, 'velocity', '60,5');
+      assert.equal(await number.inputValue(), '60.5');
+      await type(page, 'velocity', '-3');
+      assert.equal(await refusal.innerText(), 'Speed must be above 0 m/s. It stays at 60.5.');
+      assert.equal(await number.getAttribute('aria-invalid'), 'true');
+      await type(page, 'velocity', 'fast');
+      assert.equal(await refusal.innerText(), 'That is not a number. Speed stays at 60.5.');
+      await type(page, 'freeplayAngle', '-1');
+      assert.equal(await knob(page, 'freeplayAngle').refusal.innerText(), 'Freeplay, half gap must be 0° or more. It stays at 0.00.');
+      assert.equal(await verdict(page), 'It shimmies');
+      await type(page, 'velocity', '70.25');
+      assert.equal(await refusal.innerText(), '');
+      assert.equal(await number.inputValue(), '70.25');
+      await leave();
+    });
+
+    test('a link brings everything back', async () => {
+      const { page, leave } = await open(browser, address());
+      await untilVerdict(page, 'It shimmies');
+      await type(page, 'velocity', '50');
+      await type(page, 'dampingConstant', '100');
+      await type(page, 'freeplayAngle', '1');
+      await untilVerdict(page, 'It rattles in the gap');
+      await page.getByRole('combobox').selectOption('25');
+      await page.waitForURL(/slow=25/);
+      const link = page.url();
+      assert.match(link, /#shimmy=1&dampingConstant=100&freeplayAngle=0\.0174\d+&initial\.torsionAngle=0\.05&slow=25$/);
+      await leave();
+
+      const again = await open(browser, link);
+      await untilVerdict(again.page, 'It rattles in the gap');
+      assert.equal(await knob(again.page, 'freeplayAngle').number.inputValue(), '1.00');
+      assert.equal(await again.page.getByRole('combobox').inputValue(), '25');
+      assert.match(await again.page.locator('.destination').innerText(), /0\.02227 rad/);
+      await again.leave();
+    });
+
+    test('a bad link opens what could be read and lists what could not', async () => {
+      const { page, leave } = await open(browser, `${address()}#shimmy=1&velocity=-3&dampingConstant=60&color=red&initial.torsionAngle=0.05`);
+      await untilVerdict(page, 'It dies out');
+      assert.equal(await page.locator('.note').innerText().then((text) => text.split('\n')[0]),
+        'Not all of the link could be read. Left out: velocity = -3 (not allowed); color (unknown).');
+      assert.equal(await knob(page, 'dampingConstant').number.inputValue(), '60.0');
+      assert.equal(await knob(page, 'velocity').number.inputValue(), '50.0');
+      await leave();
+    });
+
+    test('in Turkish, with its own decimal sign, kept for the next visit', async () => {
+      const { page, leave } = await open(browser, address());
+      await untilVerdict(page, 'It shimmies');
+      await page.keyboard.press('?');
+      await page.getByRole('radio', { name: 'Türkçe' }).check();
+      await untilVerdict(page, 'Shimmy var');
+      assert.equal(await knob(page, 'velocity').number.inputValue(), '80,0');
+      assert.equal(await page.locator('html').getAttribute('lang'), 'tr');
+      await type(page, 'dampingConstant', '-1');
+      assert.equal(await knob(page, 'dampingConstant').refusal.innerText(), 'Sönüm en az 0 N m s/rad olmalı. 20,0 olarak kaldı.');
+      await page.waitForTimeout(400);
+      await page.reload();
+      await untilVerdict(page, 'Shimmy var');
+      await leave();
+    });
+  });
+}
+
+test('the clock pauses, steps, scrubs back and starts anew', async () => {
+  const { page, leave } = await open(browser, server.address);
+  await untilVerdict(page, 'It shimmies');
+  const time = async () => Number(await page.getByRole('slider', { name: 'Time' }).getAttribute('aria-valuenow'));
+  await page.waitForTimeout(900);
+  await page.keyboard.press(' ');
+  await page.getByRole('button', { name: 'Play' }).waitFor();
+  await page.waitForTimeout(400);
+  const paused = await time();
+  assert.ok(paused > 0.01, `${paused} s after a second`);
+  await page.waitForTimeout(400);
+  assert.equal(await time(), paused);
+
+  await page.getByRole('button', { name: 'Step on' }).click();
+  await page.waitForTimeout(400);
+  assert.ok(Math.abs((await time()) - paused - 0.001) < 6e-4);
+  await page.keyboard.press('ArrowLeft');
+
+  const lane = await page.locator('shimmy-timeline').boundingBox();
+  assert.ok(lane);
+  await page.mouse.move(lane.x + 0.6 * lane.width, lane.y + 0.75 * lane.height);
+  await page.mouse.down();
+  await page.mouse.move(lane.x + 0.65 * lane.width, lane.y + 0.75 * lane.height, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForTimeout(400);
+  assert.ok((await time()) < paused - 0.002, 'the strip was not taken along');
+
+  await page.mouse.click(lane.x + 0.8 * lane.width, lane.y + 0.15 * lane.height);
+  await page.waitForTimeout(400);
+  assert.ok((await time()) > 0.2, 'a press on the whole run goes there');
+  await page.getByRole('button', { name: 'Back to the start' }).click();
+  await page.waitForTimeout(400);
+  assert.equal(await time(), 0);
+  await leave();
+});
+
+test('a wheel at rest is kicked', async () => {
+  const { page, leave } = await open(browser, `${server.address}#shimmy=1&velocity=80&dampingConstant=60`);
+  await untilVerdict(page, 'It rests');
+  await page.getByRole('button', { name: 'Kick' }).click();
+  await untilVerdict(page, 'It dies out');
+  await leave();
+});
+
+test('all values are in a drawer beside the gear, each live', async () => {
+  const { page, leave } = await open(browser, server.address);
+  await untilVerdict(page, 'It shimmies');
+  await page.getByRole('button', { name: 'All 14 values' }).click();
+  const drawer = page.locator('shimmy-drawer');
+  assert.equal(await drawer.locator('shimmy-knob').count(), 14);
+  const stage = await page.locator('shimmy-stage').boundingBox();
+  const sheet = await drawer.boundingBox();
+  assert.ok(stage && sheet && sheet.x >= stage.x + stage.width - 1, 'the drawer covers the gear');
+  const stiffness = drawer.locator('shimmy-knob[data-name="torsionalStiffness"] .number');
+  await stiffness.fill('300000');
+  await stiffness.press('Enter');
+  await page.waitForURL(/torsionalStiffness=300000/);
+  await page.keyboard.press('Escape');
+  await drawer.waitFor({ state: 'detached' });
+  assert.equal(await page.evaluate(() => document.activeElement?.textContent?.trim()), 'All 14 values ▴', 'the focus is lost');
+  await leave();
+});
+
+test('with reduced motion it opens paused, the whole run drawn', async () => {
+  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  await untilVerdict(page, 'It shimmies');
+  await page.getByRole('button', { name: 'Play' }).waitFor();
+  const one = await gearPixels(page);
+  await page.waitForTimeout(300);
+  assert.deepEqual(await gearPixels(page), one);
+  // The future's band reaches the right end of the run's lane.
+  const drawn = await page.locator('shimmy-timeline canvas').evaluate((/** @type {HTMLCanvasElement} */ canvas) => {
+    const copy = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(1, canvas.height).getContext('2d', { willReadFrequently: true }));
+    copy.drawImage(canvas, -Math.round(canvas.width * 0.9), 0);
+    // The upper lane is the upper third; its zero line alone would be a single row.
+    return [...Array(Math.round(canvas.height / 3)).keys()].filter((y) => copy.getImageData(0, y, 1, 1).data[3] > 0).length;
+  });
+  assert.ok(drawn > 10, `${drawn} rows of the future are drawn`);
+  await leave();
+});
+
+test('where WebAssembly is refused the picture stays, with the reason', async () => {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    const refuse = () => Promise.reject(new Error('no modules today'));
+    Object.assign(WebAssembly, { compile: refuse, compileStreaming: refuse });
+  });
+  await page.goto(server.address);
+  await page.locator('.verdict-message', { hasText: 'no modules today' }).waitFor();
+  const drawn = await gearPixels(page);
+  assert.ok(new Set(drawn).size > 20, 'the gear is not drawn');
+  await context.close();
+});

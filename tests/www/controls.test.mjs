@@ -1,0 +1,58 @@
+import { test } from 'node:test';
+import assert from 'node:assert/strict';
+import { Quantity } from '../../www/controls/quantity.js';
+import { explain } from '../../www/controls/refusal.js';
+import { voiceOf } from '../../www/words/voice.js';
+
+const degree = Math.PI / 180;
+/** @param {Partial<import('../../www/controls/quantity.js').Parameter>} some */
+const quantity = (some) => new Quantity({ name: 'x', symbol: 'x', unit: 'm', default: 0, min: 0, max: 1, scale: 'linear', doc: '', ...some });
+const speed = quantity({ name: 'velocity', unit: 'm/s', min: 1, max: 120 });
+const gap = quantity({ name: 'freeplayAngle', unit: 'rad', max: 3 * degree });
+const inertia = quantity({ name: 'momentOfInertia', unit: 'kg m²', min: 0.1, max: 10, scale: 'log' });
+
+test('angles are degrees on the page and radians behind it; nothing else is converted', () => {
+  assert.equal(gap.unit, '°');
+  assert.equal(gap.write(degree, voiceOf('en')), '1.00°');
+  assert.ok(Math.abs(gap.toSI(1.5) - 1.5 * degree) < 1e-15);
+  assert.equal(gap.toShown(gap.toSI(0.7)), 0.7);
+  assert.equal(speed.write(80, voiceOf('tr')), '80,0 m/s');
+  assert.equal(quantity({ unit: '1' }).unit, '');
+});
+
+test('slider and value are each other’s inverse, linear and logarithmic', () => {
+  for (const one of [speed, gap, inertia])
+    for (const place of [0, 0.25, 0.5, 1]) {
+      const value = one.valueAt(place);
+      assert.ok(Math.abs(one.placeOf(value) - place) < 0.005, `${one.name} at ${place}`);
+    }
+  assert.equal(inertia.valueAt(0.5), 1);
+  assert.equal(speed.placeOf(500), 1);
+  assert.equal(speed.placeOf(-5), 0);
+});
+
+test('a slider sets round values, and steps by about a hundredth of its way', () => {
+  assert.equal(speed.valueAt(0.337), 41.1);
+  assert.equal(speed.step, 1);
+  assert.equal(gap.step, 0.01);
+  assert.equal(speed.stepped(80, 1), 81);
+  assert.equal(speed.stepped(80, -0.1), 79.9);
+  assert.equal(speed.stepped(119.5, 10), 120);
+  assert.equal(speed.stepped(200, 1), 200, 'a typed value beyond the slider stays');
+  assert.equal(speed.stepped(200, -1), 199);
+});
+
+test('a typed value is shown with all its digits', () => {
+  assert.equal(speed.number(70.25, voiceOf('en')), '70.25');
+  assert.equal(quantity({ max: 300000 }).number(100000, voiceOf('en')), '100\u202f000');
+});
+
+test('a refusal is explained in the page’s language and units', () => {
+  const say = (/** @type {string} */ code, /** @type {string | undefined} */ allowed, /** @type {'en' | 'tr'} */ language, one = speed, kept = 80) =>
+    explain({ code, allowed }, one, language === 'en' ? 'Speed' : 'Hız', kept, voiceOf(language));
+  assert.equal(say('out-of-range', '> 0 m/s', 'en'), 'Speed must be above 0 m/s. It stays at 80.0.');
+  assert.equal(say('out-of-range', '> 0 m/s', 'tr'), 'Hız 0 m/s değerinden büyük olmalı. 80,0 olarak kaldı.');
+  assert.equal(say('out-of-range', '≥ 0 rad', 'en', gap, degree), 'Speed must be 0° or more. It stays at 1.00.');
+  assert.equal(say('not-a-number', undefined, 'en'), 'That is not a number. Speed stays at 80.0.');
+  assert.equal(say('out-of-range', 'at most 1e12 m/s in magnitude', 'en'), 'Speed is too large to compute with. It stays at 80.0.');
+});

@@ -1,0 +1,138 @@
+// The session over the real engine: what a hand does reaches the gear, and what the gear does reaches the page.
+
+import { test } from 'node:test';
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import init, * as engine from '../../www/pkg/shimmy.js';
+import { openingObject, openingParameters, openingRun } from '../../www/opening.js';
+import { Session } from '../../www/session.js';
+import { gearAtRest } from '../../www/stage/at-rest.js';
+import { Store } from '../../www/store.js';
+import { languages } from '../../www/words/voice.js';
+import { numbersOf } from '../../www/stage/verdict-line.js';
+import { voiceOf } from '../../www/words/voice.js';
+
+await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
+const table = /** @type {import('../../www/engine/engine.js').Model} */ (engine.models().find(({ name }) => name === openingObject));
+const defaults = Object.fromEntries(table.parameters.map(({ name, default: usual }) => [name, usual]));
+
+function opened() {
+  const store = new Store({
+    object: openingObject, parameters: { ...defaults, ...openingParameters }, run: openingRun, clock: { slow: null },
+    lens: 'phase', language: 'en', theme: 'system',
+  });
+  return { store, session: new Session(engine, store) };
+}
+
+/** @type {Parameters<Session['scene']>[0]} */
+const wanted = { moment: [-0.08, 0.02], trackSpan: 0.02, stretches: 200 };
+
+test('the page opens on a gear that shimmies', () => {
+  const { session } = opened();
+  assert.equal(session.outlook.verdict, 'shimmies');
+  assert.equal(session.scales.magnification, 1);
+  assert.equal(session.outlook.amplitude.torsionAngle.toFixed(5), '0.26508');
+  assert.equal(session.outlook.frequency?.toFixed(2), '51.87');
+});
+
+test('a scene holds numbers only, at the start, on the way, and back', () => {
+  const { session } = opened();
+  for (const move of [() => {}, () => session.advance(1e-4), () => session.advance(0.3), () => session.seek(0.05), () => session.seek(0)]) {
+    move();
+    const { past, orbitPast, track, future, run, state, trail } = session.scene(wanted);
+    const series = [past, orbitPast, track, future, run.past, run.future].flatMap(
+      (one) => Object.values(one).filter((value) => typeof value !== 'string' && 'length' in Object(value)));
+    for (const values of [...series, state, trail.flatMap(({ psi, y }) => [psi, y])])
+      assert.ok([.../** @type {Iterable<number>} */ (values)].every(Number.isFinite));
+    assert.ok(Math.abs(past.torsionAngle[past.torsionAngle.length - 1] - state[0]) < 1e-9, 'the past ends now');
+    assert.ok(Math.abs(future.torsionAngle[0] - state[0]) < 1e-12, 'the future begins now');
+  }
+});
+
+test('a refused value changes nothing and says why', () => {
+  const { store, session } = opened();
+  const refusal = session.set('velocity', -3, null);
+  assert.equal(refusal?.code, 'out-of-range');
+  assert.equal(refusal?.allowed, '> 0 m/s');
+  assert.equal(store.state.parameters.velocity, 80);
+  assert.ok(!store.canUndo);
+});
+
+test('a value set acts at once, and undo takes it back in the running gear', () => {
+  const { store, session } = opened();
+  session.advance(0.2);
+  assert.equal(session.set('dampingConstant', 60, null), null);
+  session.settle();
+  assert.equal(session.outlook.verdict, 'dies-out');
+  store.undo();
+  session.settle();
+  assert.equal(session.outlook.verdict, 'shimmies');
+  assert.equal(session.scene(wanted).parameters.dampingConstant, 20);
+  assert.ok(Math.abs(session.time - 0.2) < 1e-12, 'the run goes on');
+});
+
+test('going back in time brings back the values of then, without a step of undo', () => {
+  const { store, session } = opened();
+  session.advance(0.1);
+  session.set('dampingConstant', 60, null);
+  session.advance(0.1);
+  session.seek(0.05);
+  assert.equal(store.state.parameters.dampingConstant, 20);
+  session.seek(0.15);
+  assert.equal(store.state.parameters.dampingConstant, 60);
+  store.undo();
+  assert.ok(!store.canUndo);
+});
+
+test('another run, as a link brings it, begins at its start', () => {
+  const { store, session } = opened();
+  session.advance(0.3);
+  store.update({ parameters: { ...defaults, velocity: 30, dampingConstant: 40 }, run: { initial: { torsionAngle: 0.02 } } });
+  assert.equal(session.time, 0);
+  assert.equal(session.scene(wanted).state[0], 0.02);
+  assert.equal(session.outlook.verdict, 'dies-out');
+  store.undo();
+  assert.equal(session.outlook.verdict, 'shimmies');
+});
+
+test('small motions are magnified anew when a hand lets go, not while it holds', () => {
+  const { session } = opened();
+  for (const [name, value] of /** @type {[string, number][]} */ ([['velocity', 50], ['dampingConstant', 100], ['freeplayAngle', Math.PI / 180]]))
+    session.set(name, value, 'drag');
+  session.refresh();
+  assert.equal(session.scales.magnification, 1);
+  session.settle();
+  assert.equal(session.outlook.verdict, 'rattles');
+  session.restart();
+  assert.ok(session.scales.magnification >= 5);
+});
+
+test('the ground has gone by as far as the wheel has rolled, through changes of speed and time', () => {
+  const { session } = opened();
+  session.advance(0.1);
+  session.set('velocity', 40, null);
+  session.advance(0.1);
+  assert.ok(Math.abs(session.scene(wanted).roll - 12) < 1e-9);
+});
+
+test('the gear at rest is drawn with the engine’s own defaults', () => {
+  for (const [name, value] of Object.entries(gearAtRest.parameters))
+    assert.equal(value, openingParameters[name] ?? defaults[name], name);
+});
+
+test('every parameter of the table has a word in both languages', () => {
+  for (const { name } of table.parameters)
+    for (const words of Object.values(languages)) assert.ok(Object.hasOwn(words, `parameter.${name}`), name);
+});
+
+test('the line under the verdict says how wide, how fast, where to', () => {
+  const { session } = opened();
+  const line = () => numbersOf(session.outlook, voiceOf('en')).map(({ text }) => text).join(' · ');
+  assert.match(line(), /^±\d\.\d° and growing · 5\d\.\d Hz · heads for ±15\.2°$/);
+  session.advance(3);
+  session.refresh();
+  assert.equal(line(), '±15.2° · 51.9 Hz · settled');
+  session.set('dampingConstant', 60, null);
+  session.refresh();
+  assert.match(line(), /^±1\d\.\d° and falling · 5\d\.\d Hz · heads for 0°$/);
+});
