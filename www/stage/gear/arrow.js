@@ -31,7 +31,7 @@ export function fillHead(ctx, x, y, direction, length) {
  * @param {CanvasRenderingContext2D} ctx
  * @param {{x: number, y: number}} from
  * @param {{x: number, y: number}} to
- * @param {{colour: string, halo: string | null, width: number, head: number}} style
+ * @param {{color: string, halo: string | null, width: number, head: number}} style
  */
 export function drawArrow(ctx, from, to, style) {
   const length = Math.hypot(to.x - from.x, to.y - from.y);
@@ -56,8 +56,8 @@ export function drawArrow(ctx, from, to, style) {
     fillHead(ctx, to.x, to.y, direction, head);
     ctx.stroke();
   }
-  ctx.strokeStyle = style.colour;
-  ctx.fillStyle = style.colour;
+  ctx.strokeStyle = style.color;
+  ctx.fillStyle = style.color;
   ctx.lineWidth = style.width;
   shaft();
   fillHead(ctx, to.x, to.y, direction, head);

@@ -2,7 +2,7 @@
  * The line on the ground that the tire follows, and the bend it gives the tire.
  *
  * The track is where the leading contact point has been. Inside the contact the tire's points rest
- * on the ground, so there its centre line lies on the track; ahead of and behind the contact the
+ * on the ground, so there its center line lies on the track; ahead of and behind the contact the
  * deformation decays with the relaxation length, as a stretched string's does.
  *
  * @module
@@ -13,11 +13,11 @@ import { drawnAngle, drawnDeformation } from './pose.js';
 /** @typedef {import('./scene.js').Scene} Scene */
 /** @typedef {import('./pose.js').Pose} Pose */
 
-/** Points of the track nearer than this to their neighbour are left out [m]. */
-const SPACING = 0.004;
+/** Points of the track nearer than this to their neighbor are left out [m]. */
+const SPACING = 0.007;
 
 /**
- * Points on the ground, newest first, in metres from the steering axis.
+ * Points on the ground, newest first, in meters from the steering axis.
  *
  * @typedef {object} Trace
  * @property {number[]} x forward
@@ -25,7 +25,7 @@ const SPACING = 0.004;
  */
 
 /**
- * The track from the leading contact point back over `length` metres, in the sheet's
+ * The track from the leading contact point back over `length` meters, in the sheet's
  * magnification: each past position of the drawn point, moved back with the ground.
  *
  * @param {Scene} scene
@@ -90,7 +90,7 @@ export function contactLine(trace, pose) {
 }
 
 /**
- * The deformation of the tire's centre line at l.
+ * The deformation of the tire's center line at l.
  *
  * @param {ContactLine} line
  * @param {Pose} pose

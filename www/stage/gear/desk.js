@@ -28,7 +28,7 @@ const LEADING = 1.3;
  *
  * @param {Desk} desk
  * @param {readonly Run[]} runs
- * @param {{size: number, colour: string, halo: string, opacity?: number, farthest?: number}} style
+ * @param {{size: number, color: string, halo: string, opacity?: number, farthest?: number}} style
  * @param {(width: number, height: number) => {x: number, y: number}[]} wishes top left corners,
  *   dearest first
  * @returns {Box | null}
@@ -45,5 +45,5 @@ export function putLabel(desk, runs, style, wishes) {
   return box;
 }
 
-/** The factor "10" in a word with {factor}, and the like. @param {string} word @param {Record<string, string>} values */
+/** A word with what its {braces} name. @param {string} word @param {Record<string, string>} values */
 export const fill = (word, values) => word.replace(/\{(\w+)\}/g, (_, name) => values[name] ?? '');

@@ -21,7 +21,7 @@ import { drawSide } from './side.js';
 import { writeSideLabels } from './side-labels.js';
 import { drawString } from './string.js';
 import { drawTire, drawTrail, tireShape } from './tire.js';
-import { writeTopLabels, writeTopNotes } from './top-labels.js';
+import { blockMovingParts, writeTopLabels, writeTopNotes } from './top-labels.js';
 import { drawTrack } from './track.js';
 
 export { sheetFor, trackSpan } from './sheet.js';
@@ -85,9 +85,10 @@ function drawTop(desk) {
   ctx.restore();
 
   drawHead(ctx, sheet, scene, theme);
-  writeHeadLabels(desk);
   writeTopNotes(desk);
-  writeTopLabels(desk, shape, arrows);
+  blockMovingParts(desk, shape, arrows);
+  writeHeadLabels(desk);
+  writeTopLabels(desk, arrows);
 }
 
 /**

@@ -7,7 +7,7 @@
 
 import { drawArrow, fillHead } from './arrow.js';
 import { bendAt } from './contact-line.js';
-import { onSheet } from './pose.js';
+import { onSheet, within } from './pose.js';
 
 /** @typedef {import('./sheet.js').Sheet} Sheet */
 /** @typedef {import('./pose.js').Pose} Pose */
@@ -17,14 +17,14 @@ import { onSheet } from './pose.js';
 /** The longest arrow as a share of the band's half height, and the longest arc [rad]. */
 const LONGEST_ARROW = 1.02;
 const LONGEST_ARC = 1.05;
-/** The arc's distance behind the contact centre, beyond the wheel's radius [m]. */
+/** The arc's distance behind the contact center, beyond the wheel's radius [m]. */
 const ARC_CLEARANCE = 0.05;
 
 /**
  * @typedef {object} ForceArrows
  * @property {{from: {x: number, y: number}, to: {x: number, y: number}, length: number}} side
  * @property {{x: number, y: number, radius: number, start: number, end: number}} moment
- *   centre [px], and canvas angles [rad]: clockwise from the x axis
+ *   center [px], and canvas angles [rad]: clockwise from the x axis
  */
 
 /**
@@ -41,13 +41,13 @@ export function forceArrows(sheet, scene, pose, line) {
   const length = longest * share(sideForce, force);
   const bend = bendAt(line, pose, 0);
   const from = onSheet(sheet, pose, 0, bend);
-  const centre = onSheet(sheet, pose, 0, 0);
+  const center = onSheet(sheet, pose, 0, 0);
   const start = Math.PI - pose.angle;
   return {
     side: { from, to: onSheet(sheet, pose, 0, bend + length / sheet.scale), length: Math.abs(length) },
     moment: {
-      x: centre.x,
-      y: centre.y,
+      x: center.x,
+      y: center.y,
       radius: (pose.radius + ARC_CLEARANCE) * sheet.scale,
       start,
       end: start - LONGEST_ARC * share(aligningMoment, moment),
@@ -57,8 +57,7 @@ export function forceArrows(sheet, scene, pose, line) {
 
 /** A value as a share of its full scale, −1.25 … 1.25. @param {number} value @param {number} full */
 function share(value, full) {
-  const ratio = full > 0 && Number.isFinite(value) ? value / full : 0;
-  return Math.min(1.25, Math.max(-1.25, ratio));
+  return full > 0 ? within(value / full, 1.25) : 0;
 }
 
 /**
@@ -71,7 +70,7 @@ export function drawForces(ctx, sheet, arrows, theme) {
   drawMoment(ctx, sheet, arrows.moment, theme);
   if (arrows.side.length < 1) return;
   drawArrow(ctx, arrows.side.from, arrows.side.to, {
-    colour: theme.force,
+    color: theme.force,
     halo: theme.surface,
     width: 4.5 * sheet.line,
     head: 17 * sheet.line,
@@ -95,12 +94,12 @@ function drawMoment(ctx, sheet, moment, theme) {
   const chord = end + (counterClockwise ? 1 : -1) * (head / (2 * radius));
   const direction = chord + (counterClockwise ? -Math.PI / 2 : Math.PI / 2);
   const tip = { x: x + radius * Math.cos(end), y: y + radius * Math.sin(end) };
-  for (const [colour, extra] of /** @type {const} */ ([
+  for (const [color, extra] of /** @type {const} */ ([
     [theme.ground, 4],
     [theme.force, 0],
   ])) {
-    ctx.strokeStyle = colour;
-    ctx.fillStyle = colour;
+    ctx.strokeStyle = color;
+    ctx.fillStyle = color;
     ctx.lineWidth = 3.4 * sheet.line + extra;
     ctx.beginPath();
     ctx.arc(x, y, radius, start, neck, counterClockwise);

@@ -30,12 +30,12 @@ export function drawFork(ctx, sheet, pose, theme) {
     drawAxle(ctx, sheet, pose, materials);
     ctx.lineCap = 'round';
     ctx.lineJoin = 'round';
-    for (const [width, colour] of /** @type {const} */ ([
+    for (const [width, color] of /** @type {const} */ ([
       [ARM_WIDTH * sheet.scale + 2.4 * sheet.line, materials.metalEdge],
       [ARM_WIDTH * sheet.scale, materials.metal],
     ])) {
       traceArms(ctx, sheet, pose);
-      ctx.strokeStyle = colour;
+      ctx.strokeStyle = color;
       ctx.lineWidth = width;
       ctx.stroke();
     }

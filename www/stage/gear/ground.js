@@ -6,7 +6,7 @@
 
 import { translucent } from './theme.js';
 
-/** The pattern repeats after this many metres, more than any sheet shows. */
+/** The pattern repeats after this many meters, more than any sheet shows. */
 const PERIOD = 8;
 const JOINT_SPACING = 1;
 const SPECKLES = 700;

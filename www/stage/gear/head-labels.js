@@ -17,8 +17,6 @@ const DEGREES = 180 / Math.PI;
 /** @param {Desk} desk */
 export function writeHeadLabels(desk) {
   const { sheet } = desk;
-  desk.placer.blockCircle({ ...sheet.head, radius: sheet.head.radius + 2 });
-  desk.placer.blockBox(protractorBox(sheet));
   if (sheet.detailed) {
     writeDamper(desk);
     writeSpring(desk);
@@ -31,7 +29,7 @@ function writeDamper({ ctx, sheet, theme, words }) {
   const { head, small } = sheet;
   const runs = [plain(words.damper)];
   const x = sheet.width - 8 - widthOf(ctx, runs, small, theme);
-  const style = { size: small, colour: theme.ink2, halo: null };
+  const style = { size: small, color: theme.ink2, halo: null };
   const fitting = [0.93, 0.97, 1.01].find((share) => {
     const foot = Math.max(0, share * head.radius - 0.5 * small);
     return x > head.x + Math.sqrt(head.radius ** 2 - foot ** 2) + 4;
@@ -43,7 +41,7 @@ function writeDamper({ ctx, sheet, theme, words }) {
 function writeSpring(desk) {
   const { sheet, theme, words } = desk;
   const { head, small } = sheet;
-  const style = { size: small, colour: theme.psi, halo: theme.ground, farthest: 80 };
+  const style = { size: small, color: theme.psi, halo: theme.ground, farthest: 80 };
   putLabel(desk, [plain(words.spring)], style, (width, height) =>
     [-0.2, -0.1, 0, 0.1, -0.3, 0.2, 0.9, 0.95].map((share) => ({
       x: head.x - head.radius * Math.sqrt(1 - share * share) - 8 - width,
@@ -69,7 +67,7 @@ function writeGap(desk) {
   const long = [strong(fill(words.gap, { angle, factor }))];
   const runs =
     widthOf(ctx, long, small, theme) <= room ? long : [strong(fill(words.gapShort, { angle, factor }))];
-  const style = { size: small, colour: theme.freeplayText, halo: theme.ground };
+  const style = { size: small, color: theme.freeplayText, halo: theme.ground };
   putLabel(desk, runs, style, (width, height) => [
     { x: right - width, y: head.y + head.radius + 6 },
     { x: right - width, y: head.y + head.radius + 3 },

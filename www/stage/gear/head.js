@@ -13,6 +13,7 @@
 
 import { drawDamper } from './damper.js';
 import { materialsFor } from './materials.js';
+import { within } from './pose.js';
 import { translucent } from './theme.js';
 
 /** @typedef {import('./sheet.js').Sheet} Sheet */
@@ -54,10 +55,9 @@ const TURNS = 3;
 export function headPose(scene) {
   const psi = scene.state[0] ?? 0;
   const freeplay = scene.parameters.freeplayAngle ?? 0;
-  const turn = scene.magnification * scene.forces.springAngle;
-  const collar = Math.min(LARGEST_TURN, Math.max(-LARGEST_TURN, turn));
+  const collar = within(scene.magnification * scene.forces.springAngle, LARGEST_TURN);
   if (!(freeplay > 0)) return { collar, tube: collar, gap: 0, touching: 0 };
-  const place = Math.min(1, Math.max(-1, psi / freeplay));
+  const place = within(psi / freeplay, 1);
   const touching = Math.abs(place) === 1 ? /** @type {-1 | 1} */ (place) : 0;
   return { collar, tube: collar + DRAWN_GAP * place, gap: DRAWN_GAP, touching };
 }

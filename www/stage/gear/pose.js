@@ -2,7 +2,7 @@
  * How the wheel stands on the sheet: the state, magnified.
  *
  * One factor M multiplies ψ and y together, or the slip angle would lie. Points of the wheel are
- * (l, n): l metres ahead of the contact centre along the wheel plane, n metres to its left.
+ * (l, n): l meters ahead of the contact center along the wheel plane, n meters to its left.
  *
  * @module
  */
@@ -28,8 +28,8 @@ const LARGEST_DEFORMATION = 0.4;
  * @property {number} radius of the wheel, larger than its constant under a very long contact [m]
  */
 
-/** @param {number} value @param {number} limit */
-const within = (value, limit) => Math.min(limit, Math.max(-limit, Number.isFinite(value) ? value : 0));
+/** A value held between ± limit; what is no number is taken as 0. @param {number} value @param {number} limit */
+export const within = (value, limit) => Math.min(limit, Math.max(-limit, Number.isFinite(value) ? value : 0));
 
 /** Mψ [rad]. @param {Scene} scene @param {number} psi */
 export const drawnAngle = (scene, psi) => within(scene.magnification * psi, LARGEST_ANGLE);

@@ -20,6 +20,8 @@ const DEGREE = Math.PI / 180;
 const TICK = 5;
 const NUMBERED = 10;
 const REACH = 25;
+/** From the arc to its numbers [px]. */
+const NUMBERS_AT = 13;
 
 /** Radius of the wedge 0 … ψ, as a share of the protractor's. */
 export const WEDGE = 0.74;
@@ -38,9 +40,11 @@ export const atAngle = (sheet, radius, angle) => ({
 
 /** The room that the arc, its ticks and numbers take. @param {Sheet} sheet */
 export function protractorBox(sheet) {
-  const half = sheet.protractor * Math.sin(REACH * DEGREE) + 4;
+  const arc = sheet.protractor * Math.sin(REACH * DEGREE);
+  const numbers = (sheet.protractor + NUMBERS_AT) * Math.sin(2 * NUMBERED * DEGREE);
+  const half = Math.max(arc, numbers + 0.5 * sheet.small) + 2;
   const left = atAngle(sheet, sheet.protractor, REACH * DEGREE).x - 4;
-  const right = sheet.axis.x + 0.97 * (sheet.protractor + 13) + 2.4 * sheet.small;
+  const right = sheet.axis.x + sheet.protractor + NUMBERS_AT + 2.8 * sheet.small;
   return { x: left, y: sheet.axis.y - half, width: right - left, height: 2 * half };
 }
 
@@ -82,12 +86,14 @@ function drawScale(ctx, sheet, scene, theme, words) {
   }
   ctx.stroke();
 
-  const style = { size: sheet.small, colour: theme.ink2, halo: theme.ground };
+  const style = { size: sheet.small, color: theme.ink2, halo: theme.ground };
   const decimals = NUMBERED % scene.magnification === 0 ? 0 : 1;
-  for (let degrees = -2 * NUMBERED; degrees <= 2 * NUMBERED; degrees += NUMBERED) {
+  const apart = (radius + NUMBERS_AT) * Math.sin(NUMBERED * DEGREE);
+  const step = apart > 1.15 * sheet.small ? NUMBERED : 2 * NUMBERED;
+  for (let degrees = -2 * NUMBERED; degrees <= 2 * NUMBERED; degrees += step) {
     const number = formatNumber(degrees / scene.magnification, decimals, words.language);
     const text = [plain(degrees === 0 ? '0' : `${degrees > 0 ? '+' : ''}${number}°`)];
-    const at = atAngle(sheet, radius + 13, degrees * DEGREE);
+    const at = atAngle(sheet, radius + NUMBERS_AT, degrees * DEGREE);
     const room = sheet.width - 4 - widthOf(ctx, text, sheet.small, theme);
     write(ctx, text, { x: Math.min(at.x, room), y: at.y }, style, theme);
   }
@@ -127,11 +133,11 @@ function drawWheelPlane(ctx, sheet, pose, theme) {
   const tail = onSheet(sheet, pose, -pose.radius - 0.05, 0);
   const tip = atAngle(sheet, sheet.protractor - 2, pose.angle);
   const neck = atAngle(sheet, sheet.protractor - 12, pose.angle);
-  for (const [width, colour] of /** @type {const} */ ([
+  for (const [width, color] of /** @type {const} */ ([
     [4.2, translucent(theme.surface, 0.45)],
     [2, theme.psi],
   ])) {
-    ctx.strokeStyle = colour;
+    ctx.strokeStyle = color;
     ctx.lineWidth = width * sheet.line;
     ctx.setLineDash([2.2 * sheet.line, 3.4 * sheet.line]);
     ctx.beginPath();
@@ -157,7 +163,7 @@ function drawExtremes(ctx, sheet, scene, theme) {
   ctx.fillStyle = theme.psi;
   for (const psi of scene.extremes) {
     const angle = scene.magnification * psi;
-    if (Math.abs(angle) > REACH * DEGREE) continue;
+    if (!(Math.abs(angle) <= REACH * DEGREE)) continue;
     const tip = atAngle(sheet, sheet.protractor + 1, angle);
     fillHead(ctx, tip.x, tip.y, Math.PI - angle, 9 * sheet.line);
   }

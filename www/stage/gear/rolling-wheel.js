@@ -32,7 +32,7 @@ const FACE = 0.72;
 export function drawRollingWheel(ctx, sheet, frame, scene, pose, theme, materials, drawInFront) {
   const radius = pose.radius * frame.scale;
   const depth = (FACE / 2) * WHEEL_WIDTH * frame.scale * pose.sin;
-  const x = frame.x + frame.centre * frame.scale;
+  const x = frame.x + frame.center * frame.scale;
   const y = frame.ground - frame.axle * frame.scale;
   const narrow = Math.abs(pose.cos);
 

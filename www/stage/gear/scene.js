@@ -49,7 +49,7 @@
  * @property {Track} track
  * @property {number} now time of the state [s]
  * @property {number} roll distance rolled so far [m]
- * @property {number} exposure ground travelled in one frame [m], the length of a speckle's streak
+ * @property {number} exposure ground traveled in one frame [m], the length of a speckle's streak
  * @property {readonly [number, number] | null} extremes lowest and highest ψ of the last cycle [rad]
  * @property {number} magnification one factor for ψ and y together: 1, 2, 5, 10, 20, 50
  * @property {{force: number, moment: number}} forceScale what the longest arrows mean [N], [N m]

@@ -1,5 +1,5 @@
 /**
- * The sheet: where each view stands on the canvas, how many pixels a metre has, how large type and
+ * The sheet: where each view stands on the canvas, how many pixels a meter has, how large type and
  * lines are. Top view over side view share the x axis, so the caster lines up in both.
  *
  * @module
@@ -14,12 +14,12 @@ export const WHEEL_RADIUS = 0.25;
 export const WHEEL_WIDTH = 0.17;
 
 /**
- * What each layout chooses. Lengths ending in `M` are in metres on the ground, the others in
+ * What each layout chooses. Lengths ending in `M` are in meters on the ground, the others in
  * pixels.
  *
  * @typedef {object} Layout
  * @property {number} verdict height at the top that belongs to the page's verdict
- * @property {number} widthM metres that the width shows
+ * @property {number} widthM meters that the width shows
  * @property {number} topM height of the top view
  * @property {number} sideM height of the side view above its ground, 0 where there is none
  * @property {number} axisAt place of the steering axis as a share of the width
@@ -32,7 +32,7 @@ export const WHEEL_WIDTH = 0.17;
  * @property {number} label
  * @property {number} large
  * @property {number} line factor on every line width
- * @property {boolean} detailed whether the tire's and the head's parts are labelled
+ * @property {boolean} detailed whether the tire's and the head's parts are labeled
  * @property {boolean} roomy whether there is room besides for the track's name
  */
 
@@ -50,7 +50,7 @@ const LAYOUTS = {
   },
   phone: {
     verdict: 66, widthM: 1.64, topM: 0.85, sideM: 0, axisAt: 0.46, protractorM: 0.6,
-    headM: 0.215, headTop: 10, headRight: 10, foot: 0, small: 13, label: 15, large: 17, line: 1.1,
+    headM: 0.205, headTop: 6, headRight: 12, foot: 0, small: 13, label: 15, large: 17, line: 1.1,
     detailed: false, roomy: false,
   },
 };
@@ -59,7 +59,7 @@ const LAYOUTS = {
  * @typedef {object} Sheet
  * @property {number} width
  * @property {number} height
- * @property {number} scale pixels a metre
+ * @property {number} scale pixels a meter
  * @property {{x: number, y: number}} axis the steering axis in the top view
  * @property {{top: number, bottom: number}} band the ground of the top view
  * @property {{top: number, ground: number} | null} side the side view and its ground line

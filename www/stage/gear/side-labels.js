@@ -14,9 +14,9 @@ import { plain, strong, symbol, widthOf, write } from './text.js';
 
 const MARGIN = 16;
 
-/** @param {number} metres @param {import('../../words/number.js').Language} language */
-function millimetres(metres, language) {
-  const mm = Math.abs(metres) * 1000;
+/** @param {number} meters @param {import('../../words/number.js').Language} language */
+function millimeters(meters, language) {
+  const mm = Math.abs(meters) * 1000;
   return `${formatNumber(mm, Math.abs(mm - Math.round(mm)) < 1e-6 ? 0 : 1, language)} mm`;
 }
 
@@ -32,7 +32,7 @@ export function writeSideLabels(desk) {
 
 /** @param {Desk} desk @param {SideFrame} frame */
 function wheelSpan({ pose }, frame) {
-  const middle = frame.x + frame.centre * frame.scale;
+  const middle = frame.x + frame.center * frame.scale;
   const half = 1.1 * pose.radius * frame.scale;
   const top = frame.ground - (frame.axle + pose.radius) * frame.scale;
   return { left: middle - half, right: middle + half, top };
@@ -47,7 +47,7 @@ function writeView(desk, frame) {
   const clear = y + 0.7 * sheet.small < wheel.top;
   const room = clear ? frame.x - 0.1 * frame.scale : wheel.left - 6;
   const fits = MARGIN + widthOf(ctx, whole, sheet.small, theme) <= room;
-  const style = { size: sheet.small, colour: theme.ink2, halo: null };
+  const style = { size: sheet.small, color: theme.ink2, halo: null };
   write(ctx, fits ? whole : [strong(words.side)], { x: MARGIN, y }, style, theme);
 }
 
@@ -59,18 +59,18 @@ function writeSteeringAxis(desk, frame) {
   const x = frame.x + 0.165 * frame.scale + 10;
   const wheel = wheelSpan(desk, frame);
   if (y + 0.7 * small >= wheel.top && x < wheel.right) return;
-  const style = { size: small, colour: theme.ink2, halo: null };
+  const style = { size: small, color: theme.ink2, halo: null };
   write(ctx, [plain(words.steeringAxis)], { x, y }, style, theme);
 }
 
 /** @param {Desk} desk @param {SideFrame} frame */
 function writeContactLength({ ctx, sheet, pose, theme, words }, frame) {
-  const runs = [strong('2'), symbol('a'), strong(` ${millimetres(2 * pose.half, words.language)}`)];
+  const runs = [strong('2'), symbol('a'), strong(` ${millimeters(2 * pose.half, words.language)}`)];
   const size = sheet.label;
-  const middle = frame.x + frame.centre * frame.scale;
+  const middle = frame.x + frame.center * frame.scale;
   const left = Math.min(middle - pose.half * pose.cos * frame.scale, frame.x);
   const x = Math.max(6, left - 10 - widthOf(ctx, runs, size, theme));
-  const style = { size, colour: theme.y, halo: null };
+  const style = { size, color: theme.y, halo: null };
   write(ctx, runs, { x, y: frame.ground + 19 }, style, theme);
 }
 
@@ -83,14 +83,14 @@ function writeContactLength({ ctx, sheet, pose, theme, words }, frame) {
 function writeCaster(desk, frame) {
   const { ctx, sheet, pose, theme, words } = desk;
   const y = frame.ground + 17;
-  const axle = frame.x + frame.centre * frame.scale;
+  const axle = frame.x + frame.center * frame.scale;
   drawDimension(ctx, sheet, Math.min(frame.x, axle), Math.max(frame.x, axle), frame.ground, theme);
 
-  const style = { size: sheet.label, colour: theme.ink, halo: null };
+  const style = { size: sheet.label, color: theme.ink, halo: null };
   const runs = [
     plain(`${words.caster} `),
     symbol('e'),
-    strong(` ${pose.caster < 0 ? '−' : ''}${millimetres(pose.caster, words.language)}`),
+    strong(` ${pose.caster < 0 ? '−' : ''}${millimeters(pose.caster, words.language)}`),
   ];
   const x = Math.max(frame.x, axle) + 12;
   write(ctx, runs, { x, y: y + 2 }, style, theme);
@@ -98,7 +98,7 @@ function writeCaster(desk, frame) {
   const meaning =
     pose.caster > 0 ? words.wheelTrails : pose.caster < 0 ? words.wheelLeads : words.wheelCentered;
   const caption = [plain(meaning)];
-  const quiet = { ...style, size: sheet.small, colour: theme.ink2 };
+  const quiet = { ...style, size: sheet.small, color: theme.ink2 };
   const width = widthOf(ctx, caption, sheet.small, theme);
   const behind = x + widthOf(ctx, runs, sheet.label, theme) + 16;
   const right = sheet.width - MARGIN - width;

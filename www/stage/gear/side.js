@@ -28,7 +28,7 @@ const HATCH = 0.075;
  * @property {number} top [px]
  * @property {number} scale
  * @property {number} axle height of the axle [m]
- * @property {number} centre place of the wheel's centre ahead of the axis, projected [m]
+ * @property {number} center place of the wheel's center ahead of the axis, projected [m]
  */
 
 /**
@@ -44,7 +44,7 @@ export function sideFrame(sheet, pose) {
     top: sheet.side.top,
     scale: sheet.scale,
     axle: pose.radius - FLATTENING,
-    centre: -pose.caster * pose.cos,
+    center: -pose.caster * pose.cos,
   };
 }
 
@@ -112,15 +112,15 @@ function drawGroundLine(ctx, sheet, frame, scene, theme) {
  * @param {CanvasRenderingContext2D} ctx
  * @param {SideFrame} frame
  * @param {Pose} pose
- * @param {string} colour
+ * @param {string} color
  */
-function drawShadow(ctx, frame, pose, colour) {
-  const x = frame.x + frame.centre * frame.scale;
+function drawShadow(ctx, frame, pose, color) {
+  const x = frame.x + frame.center * frame.scale;
   const reach = 1.25 * pose.radius * frame.scale;
   const shade = ctx.createLinearGradient(x - reach, 0, x + reach, 0);
-  shade.addColorStop(0, translucent(colour, 0));
-  shade.addColorStop(0.5, translucent(colour, 0.28));
-  shade.addColorStop(1, translucent(colour, 0));
+  shade.addColorStop(0, translucent(color, 0));
+  shade.addColorStop(0.5, translucent(color, 0.28));
+  shade.addColorStop(1, translucent(color, 0));
   ctx.fillStyle = shade;
   ctx.fillRect(x - reach, frame.ground, 2 * reach, 6);
 }
@@ -134,12 +134,12 @@ function drawShadow(ctx, frame, pose, colour) {
  * @param {Theme} theme
  */
 function drawAxes(ctx, sheet, frame, theme) {
-  const axle = frame.x + frame.centre * frame.scale;
-  for (const [colour, extra, dash] of /** @type {const} */ ([
+  const axle = frame.x + frame.center * frame.scale;
+  for (const [color, extra, dash] of /** @type {const} */ ([
     [translucent(theme.surface, 0.55), 2.6, []],
     [theme.ink, 0, [11, 4, 2, 4]],
   ])) {
-    ctx.strokeStyle = colour;
+    ctx.strokeStyle = color;
     ctx.lineWidth = 1.4 * sheet.line + extra;
     ctx.setLineDash([...dash]);
     ctx.beginPath();
@@ -166,7 +166,7 @@ function drawAxes(ctx, sheet, frame, theme) {
  */
 function drawContact(ctx, sheet, frame, pose, theme) {
   const half = pose.half * pose.cos * frame.scale;
-  const x = frame.x + frame.centre * frame.scale;
+  const x = frame.x + frame.center * frame.scale;
   ctx.fillStyle = theme.y;
   ctx.fillRect(x - half, frame.ground - 2.5 * sheet.line, 2 * half, 5 * sheet.line);
 }

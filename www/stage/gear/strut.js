@@ -137,12 +137,12 @@ function drawLinks(ctx, sheet, frame, pose, upper, lower, theme, materials) {
   ];
   const width = 0.022 * frame.scale;
   ctx.lineCap = 'round';
-  for (const [lineWidth, colour] of /** @type {const} */ ([
+  for (const [lineWidth, color] of /** @type {const} */ ([
     [width + 3 * sheet.line, theme.ink],
     [width, materials.metal],
   ])) {
     ctx.lineWidth = lineWidth;
-    ctx.strokeStyle = colour;
+    ctx.strokeStyle = color;
     ctx.beginPath();
     for (const pin of pins) ctx.lineTo(pin.x, pin.y);
     ctx.stroke();
@@ -175,7 +175,7 @@ function drawLinks(ctx, sheet, frame, pose, upper, lower, theme, materials) {
 function drawArm(ctx, sheet, frame, pose, top, axle, theme, materials) {
   const { scale } = frame;
   const body = BODY * scale;
-  const end = frame.x + (frame.centre + 0.8 * FORK_REACH * pose.sin) * scale;
+  const end = frame.x + (frame.center + 0.8 * FORK_REACH * pose.sin) * scale;
   const arm = ARM * scale;
   const drop = axle - top;
   const { x } = frame;

@@ -69,13 +69,13 @@ export function widthOf(ctx, runs, size, theme) {
 }
 
 /**
- * Writes a line from x to the right, its middle at y. A halo in the paper's colour keeps it legible
- * over what is drawn; the halos come first, so that none covers a neighbour's letters.
+ * Writes a line from x to the right, its middle at y. A halo in the paper's color keeps it legible
+ * over what is drawn; the halos come first, so that none covers a neighbor's letters.
  *
  * @param {CanvasRenderingContext2D} ctx
  * @param {readonly Run[]} runs
  * @param {{x: number, y: number}} at
- * @param {{size: number, colour: string, halo: string | null}} style
+ * @param {{size: number, color: string, halo: string | null}} style
  * @param {Theme} theme
  */
 export function write(ctx, runs, at, style, theme) {
@@ -85,7 +85,7 @@ export function write(ctx, runs, at, style, theme) {
   ctx.lineJoin = 'round';
   ctx.lineWidth = 0.3 * size;
   if (style.halo) ctx.strokeStyle = style.halo;
-  ctx.fillStyle = style.colour;
+  ctx.fillStyle = style.color;
   for (const paint of /** @type {const} */ (['strokeText', 'fillText'])) {
     if (paint === 'strokeText' && !style.halo) continue;
     let x = at.x;

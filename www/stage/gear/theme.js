@@ -1,5 +1,5 @@
 /**
- * The colours and faces that the drawing takes from the page. A colour is `#rgb` or `#rrggbb`,
+ * The colors and faces that the drawing takes from the page. A color is `#rgb` or `#rrggbb`,
  * because the drawing makes its own translucent shades of it.
  *
  * The drawing measures its text once for each theme object: make a new one when fonts arrive.
@@ -26,13 +26,13 @@
  */
 
 /**
- * The same colour with an opacity from 0 to 1.
+ * The same color with an opacity from 0 to 1.
  *
- * @param {string} colour `#rgb` or `#rrggbb`
+ * @param {string} color `#rgb` or `#rrggbb`
  * @param {number} opacity
  */
-export function translucent(colour, opacity) {
-  const digits = colour.length === 4 ? colour.replace(/[0-9a-f]/gi, '$&$&') : colour;
+export function translucent(color, opacity) {
+  const digits = color.length === 4 ? color.replace(/[0-9a-f]/gi, '$&$&') : color;
   const byte = Math.round(Math.min(1, Math.max(0, opacity)) * 255);
   return digits + byte.toString(16).padStart(2, '0');
 }

@@ -16,7 +16,7 @@ import { translucent } from './theme.js';
 /** @typedef {import('./contact-line.js').ContactLine} ContactLine */
 /** @typedef {import('./theme.js').Theme} Theme */
 
-const STATIONS = 36;
+const STATIONS = 30;
 /** Exponent of the superellipse that rounds the tire's shoulders. */
 const ROUNDNESS = 5;
 const GROOVES = [-0.33, -0.12, 0.12, 0.33];
@@ -33,7 +33,8 @@ const shares = Float64Array.from({ length: STATIONS + 1 }, (_, i) =>
 const halfWidths = shares.map((share) => (WHEEL_WIDTH / 2) * profile(share));
 
 /**
- * The tire's outline in the wheel's frame: stations from the back to the front with the bent centre line and the half width at each.
+ * The tire's outline in the wheel's frame: stations from the back to the front, with the
+ * bent center line and the half width at each.
  *
  * @typedef {object} TireShape
  * @property {Float64Array} l
@@ -52,7 +53,7 @@ export function tireShape(pose, line) {
 }
 
 /**
- * Adds a line along the tire to the path: `share` of the way from the centre line to the left edge.
+ * Adds a line along the tire to the path: `share` of the way from the center line to the left edge.
  *
  * @param {CanvasRenderingContext2D} ctx
  * @param {Sheet} sheet
@@ -99,8 +100,8 @@ export function drawTire(ctx, sheet, scene, pose, line, shape, theme) {
   drawShadow(ctx, sheet, pose, shape, materials.shadow);
   inWheelFrame(ctx, sheet, pose, () => {
     const reach = pose.radius * sheet.scale;
-    const centre = -pose.caster * sheet.scale;
-    const round = ctx.createLinearGradient(centre - reach, 0, centre + reach, 0);
+    const center = -pose.caster * sheet.scale;
+    const round = ctx.createLinearGradient(center - reach, 0, center + reach, 0);
     round.addColorStop(0, materials.rubber);
     round.addColorStop(0.3, materials.rubberLit);
     round.addColorStop(0.62, materials.rubberLit);
@@ -123,13 +124,13 @@ export function drawTire(ctx, sheet, scene, pose, line, shape, theme) {
  * @param {Sheet} sheet
  * @param {Pose} pose
  * @param {TireShape} shape
- * @param {string} colour
+ * @param {string} color
  */
-function drawShadow(ctx, sheet, pose, shape, colour) {
-  ctx.fillStyle = translucent(colour, 0.1);
-  for (let layer = 1; layer <= 3; layer++) {
+function drawShadow(ctx, sheet, pose, shape, color) {
+  ctx.fillStyle = translucent(color, 0.1);
+  for (let layer = 1; layer <= 2; layer++) {
     ctx.save();
-    ctx.translate(1.5 * layer, 3 * layer);
+    ctx.translate(2 * layer, 4 * layer);
     inWheelFrame(ctx, sheet, pose, () => {
       traceTire(ctx, sheet, pose, shape);
       ctx.fill();
@@ -152,13 +153,13 @@ function drawShadow(ctx, sheet, pose, shape, colour) {
  */
 function drawTread(ctx, sheet, scene, pose, line, shape, materials) {
   ctx.lineJoin = 'round';
-  for (const [width, colour, shift] of /** @type {const} */ ([
+  for (const [width, color, shift] of /** @type {const} */ ([
     [2.4, materials.groove, 0],
     [0.7, translucent(materials.metalLit, 0.22), 1.6],
   ])) {
     ctx.save();
     ctx.translate(0, shift);
-    ctx.strokeStyle = colour;
+    ctx.strokeStyle = color;
     ctx.lineWidth = width * sheet.line;
     ctx.beginPath();
     for (const share of GROOVES) {

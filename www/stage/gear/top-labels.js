@@ -34,19 +34,21 @@ const decimalsAt = (magnification) => (magnification < 20 ? 1 : 2);
 export function writeTopNotes(desk) {
   const { ctx, sheet, scene, theme, words, placer } = desk;
   const { small, label, band } = sheet;
+  placer.blockCircle({ ...sheet.head, radius: sheet.head.radius + 2 });
+  placer.blockBox(protractorBox(sheet));
   const velocity = scene.parameters.velocity ?? 0;
   const decimals = Number.isInteger(velocity) ? 0 : 1;
   const speed = formatNumber(velocity, decimals, words.language);
   const arrow = sheet.roomy ? 0.115 * sheet.width : 44;
   const right = sheet.width - MARGIN;
-  const style = { size: label, colour: theme.ink2, halo: theme.ground };
+  const style = { size: label, color: theme.ink2, halo: theme.ground };
   const speedLabel = [symbol('v'), strong(` ${speed} m/s`)];
   const written = putLabel(desk, speedLabel, style, (width, height) => [
-    { x: right - arrow - 8 - width, y: band.bottom - 5 - height },
+    { x: right - arrow - 8 - width, y: band.bottom - 3 - height },
   ]);
   if (written) {
     const y = written.y + written.height / 2;
-    const ink = { colour: theme.ink2, halo: null, width: 1.6 * sheet.line, head: 9 * sheet.line };
+    const ink = { color: theme.ink2, halo: null, width: 1.6 * sheet.line, head: 9 * sheet.line };
     drawArrow(ctx, { x: right - arrow, y }, { x: right, y }, ink);
     placer.blockBox({ x: right - arrow, y: y - 6, width: arrow, height: 12 });
   }
@@ -54,28 +56,28 @@ export function writeTopNotes(desk) {
   const free = (written?.x ?? right) - 12 - MARGIN;
   const larger = scene.magnification !== 1;
   const factor = formatNumber(scene.magnification, 0, words.language);
-  const how = larger
-    ? [words.drawnLarger, words.drawnLargerShort].map((word) => fill(word, { factor }))
-    : [words.drawnToScale];
-  const lines = [...how.map((text) => `${words.top}: ${text}`), how[how.length - 1] ?? ''];
-  const fitting = lines.find((line) => widthOf(ctx, [strong(line)], small, theme) <= free);
-  const tone = { ...style, size: small, colour: larger ? theme.freeplayText : theme.ink2 };
+  // To scale is what one expects, so where room is scarce only the contrary is said.
+  const short = larger ? fill(words.drawnLargerShort, { factor }) : '';
+  const long = larger ? fill(words.drawnLarger, { factor }) : sheet.roomy ? words.drawnToScale : '';
+  const lines = [long, short].filter(Boolean).map((how) => `${words.top}: ${how}`);
+  const fitting = [...lines, short].find(
+    (line) => line && widthOf(ctx, [strong(line)], small, theme) <= free,
+  );
+  const tone = { ...style, size: small, color: larger ? theme.freeplayText : theme.ink2 };
   putLabel(desk, [strong(fitting ?? words.top)], tone, (_, height) => [
-    { x: MARGIN, y: band.bottom - 6 - height },
+    { x: MARGIN, y: band.bottom - 5 - height },
   ]);
 
   if (!sheet.roomy) return;
-  const green = { size: small, colour: theme.y, halo: theme.ground, farthest: 60 };
+  const green = { size: small, color: theme.y, halo: theme.ground, farthest: 60 };
   putLabel(desk, [plain(words.trackOnTheGround)], green, () => [{ x: MARGIN, y: band.top + 12 }]);
 }
 
 /**
  * @param {Desk} desk
- * @param {TireShape} shape
  * @param {ForceArrows} arrows
  */
-export function writeTopLabels(desk, shape, arrows) {
-  blockMovingParts(desk, shape, arrows);
+export function writeTopLabels(desk, arrows) {
   const side = desk.pose.deformation < 0 ? -1 : 1;
   writeTorsionAngle(desk, -side);
   writeSideForce(desk, arrows);
@@ -87,11 +89,13 @@ export function writeTopLabels(desk, shape, arrows) {
 }
 
 /**
+ * Keeps labels off the wheel and what belongs to it.
+ *
  * @param {Desk} desk
  * @param {TireShape} shape
  * @param {ForceArrows} arrows
  */
-function blockMovingParts({ sheet, pose, placer }, shape, arrows) {
+export function blockMovingParts({ sheet, pose, placer }, shape, arrows) {
   const corner = (/** @type {number} */ l, /** @type {number} */ n) => onSheet(sheet, pose, l, n);
   const half = WHEEL_WIDTH / 2 + 0.008;
   const low = Math.min(...shape.bend) - half;
@@ -132,7 +136,7 @@ function writeTorsionAngle(desk, side) {
   const sign = /^[0.,]*$/.test(number) || number.startsWith('−') ? '' : '+';
   const wedge = WEDGE * sheet.protractor;
   const covered = Math.max(0, side * wedge * Math.sin(pose.angle));
-  const style = { size: sheet.large, colour: theme.psi, halo: theme.ground };
+  const style = { size: sheet.large, color: theme.psi, halo: theme.ground };
   putLabel(desk, [symbol('ψ'), strong(` ${sign}${number}°`)], style, (width, height) => {
     const limit = protractorBox(sheet).x - 4 - width;
     const x = Math.min(sheet.axis.x + wedge - 0.4 * width, limit);
@@ -160,19 +164,19 @@ function writeSideForce(desk, arrows) {
   const x = from.x + reach * (to.x - from.x);
   const y = from.y + reach * (to.y - from.y);
   const up = to.y < from.y ? 1 : -1;
-  const style = { size: sheet.label, colour: theme.force, halo: theme.ground, opacity };
+  const style = { size: sheet.label, color: theme.force, halo: theme.ground, opacity };
   /** @param {number} width @param {number} height */
   const wishes = (width, height) => {
     const highest = sheet.band.top + 3;
     const lowest = sheet.band.bottom - 3 - height;
     const middle = Math.min(lowest, Math.max(highest, y - height / 2));
-    return [0, 6, 12, 18, 24].flatMap((shift) => {
-      const place = Math.min(lowest, Math.max(highest, middle + up * shift - up * 4));
-      return [
-        { x: x - 13 * sheet.line - width, y: place },
-        { x: x + 13 * sheet.line, y: place },
-      ];
-    });
+    const places = [-4, 2, 8, 14, 20].map((shift) =>
+      Math.min(lowest, Math.max(highest, middle + up * shift)),
+    );
+    return [
+      ...places.map((place) => ({ x: x - 13 * sheet.line - width, y: place })),
+      ...places.map((place) => ({ x: x + 13 * sheet.line, y: place })),
+    ];
   };
   values.some((text) => {
     const runs = [symbol('F'), subscript('y'), strong(text)];
@@ -190,7 +194,7 @@ function writeDeformation(desk, side) {
   const ring = onSheet(sheet, pose, pose.half, pose.deformation);
   const edge = side * onSheet(sheet, pose, pose.half, 0).y;
   const clear = side * edge - side * (0.62 * WHEEL_WIDTH * sheet.scale);
-  const style = { size: sheet.label, colour: theme.y, halo: theme.ground, opacity, farthest: 90 };
+  const style = { size: sheet.label, color: theme.y, halo: theme.ground, opacity, farthest: 90 };
   const box = putLabel(desk, [symbol('y'), strong(` ${number} mm`)], style, (width, height) =>
     [4, 10, 16, 22, 28, 34, 40].flatMap((gap) =>
       [8, 26, -0.3 * width].map((dx) => ({
@@ -221,7 +225,7 @@ function writeSlipAngle(desk, side) {
   if (opacity === 0) return;
   const alpha = Math.abs(scene.forces.slipAngle) * DEGREES;
   const number = formatNumber(alpha, decimalsAt(scene.magnification), words.language);
-  const style = { size: sheet.label, colour: theme.y, halo: theme.ground, opacity, farthest: 110 };
+  const style = { size: sheet.label, color: theme.y, halo: theme.ground, opacity, farthest: 70 };
   putLabel(desk, [symbol('α'), strong(` ${number}°`)], style, (width, height) => {
     const limit = protractorBox(sheet).x - 4 - width;
     const along = onSheet(sheet, pose, pose.half + 0.6 * pose.relaxation, 0.4 * pose.deformation);
@@ -244,7 +248,7 @@ function writeAligningMoment(desk, arrows) {
   const decimals = scene.forceScale.moment < 20 ? 1 : 0;
   const number = formatNumber(Math.abs(scene.forces.aligningMoment), decimals, words.language);
   const runs = [symbol('M'), subscript('z'), strong(` ${number} N m`)];
-  const style = { size: sheet.label, colour: theme.force, halo: theme.ground, opacity };
+  const style = { size: sheet.label, color: theme.force, halo: theme.ground, opacity };
   putLabel(desk, runs, style, (width, height) =>
     [0.5, 0.25, 0, 0.75, 1].flatMap((share) => {
       const angle = start + (end - start) * share;

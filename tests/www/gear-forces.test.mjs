@@ -1,0 +1,64 @@
+// Arrows point where the forces do, and are absent where there is none.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { contactLine, traceBehind } from '../../www/stage/gear/contact-line.js';
+import { forceArrows } from '../../www/stage/gear/forces.js';
+import { poseNow } from '../../www/stage/gear/pose.js';
+import { sheetFor } from '../../www/stage/gear/sheet.js';
+import { record, sceneOf, sizes, theme } from './gear-scene.mjs';
+
+/** @param {import('./gear-scene.mjs').Scene} scene */
+function arrowsOf(scene) {
+  const sheet = sheetFor(sizes.desktop, scene);
+  const pose = poseNow(scene);
+  return forceArrows(sheet, scene, pose, contactLine(traceBehind(scene, pose, 1), pose));
+}
+
+test('a side force to the left points up the sheet, across the wheel', () => {
+  for (const sign of [1, -1]) {
+    const scene = sceneOf({ psi: 0.2, y: sign * 0.03 });
+    const { side } = arrowsOf(scene);
+    assert.equal(Math.sign(side.from.y - side.to.y), sign);
+    const along = (side.to.x - side.from.x) * Math.cos(0.2) - (side.to.y - side.from.y) * Math.sin(0.2);
+    assert.ok(Math.abs(along) < 1e-9, 'across the wheel plane');
+  }
+});
+
+test('an aligning moment that is negative turns clockwise: up, behind the wheel', () => {
+  for (const sign of [1, -1]) {
+    const { moment } = arrowsOf(sceneOf({ y: sign * 0.03 }));
+    const at = (/** @type {number} */ angle) => moment.y + moment.radius * Math.sin(angle);
+    assert.equal(Math.sign(at(moment.start) - at(moment.end)), sign);
+  }
+});
+
+test('lengths are in proportion to the full scale', () => {
+  const half = sceneOf({ y: 0.02 });
+  half.forces = { ...half.forces, sideForce: 2500, aligningMoment: -500 };
+  const whole = { ...half, forces: { ...half.forces, sideForce: 5000, aligningMoment: -1000 } };
+  assert.ok(Math.abs(arrowsOf(whole).side.length / arrowsOf(half).side.length - 2) < 1e-9);
+  const turn = (/** @type {typeof half} */ scene) => arrowsOf(scene).moment.end - arrowsOf(scene).moment.start;
+  assert.ok(Math.abs(turn(whole) / turn(half) - 2) < 1e-9);
+});
+
+test('beyond its limit angle there is no moment and no arrow of it', () => {
+  const scene = sceneOf({ y: 0.08 });
+  scene.forces = { ...scene.forces, aligningMoment: 0 };
+  const { marks, texts } = record(scene);
+  assert.ok(!texts.some(({ text }) => text === 'M'));
+  const arrows = marks.filter(({ kind, color }) => kind === 'stroke' && color === theme.force);
+  assert.equal(arrows.length, 1, 'the side force alone');
+});
+
+test('a side force at its limit says so', () => {
+  const limited = sceneOf({ y: 0.04 });
+  assert.ok(record(limited).texts.some(({ text }) => text.endsWith('kN, at its limit')));
+  assert.ok(!record(sceneOf({ y: 0.02 })).texts.some(({ text }) => text.includes('limit')));
+});
+
+test('at rest there are no arrows and nothing is said of forces', () => {
+  const { marks, texts } = record(sceneOf({ swing: 0 }));
+  assert.ok(!marks.some(({ color }) => color === theme.force));
+  assert.ok(!texts.some(({ text }) => ['F', 'M', 'α', 'y'].includes(text)));
+});
