@@ -11,6 +11,7 @@
  * @property {string} metalLit
  * @property {string} metalShade
  * @property {string} metalEdge
+ * @property {string} chrome the light on the sliding tube
  * @property {string} shadow
  * @property {string} mark what the tire leaves on the ground
  */
@@ -26,6 +27,7 @@ const MATERIALS = {
     metalLit: '#F1F4F6',
     metalShade: '#98A3AE',
     metalEdge: '#3B4753',
+    chrome: '#FFFFFF',
     shadow: '#14202B',
     mark: '#4A5058',
   },
@@ -38,6 +40,7 @@ const MATERIALS = {
     metalLit: '#93A1AE',
     metalShade: '#3B4650',
     metalEdge: '#B9C4CD',
+    chrome: '#C9D3DB',
     shadow: '#000000',
     mark: '#05080B',
   },

@@ -10,6 +10,8 @@
 
 /** Steps of the search for a free place [px]. */
 const STEP = 9;
+/** What labels on one line keep between them [px]. */
+const APART = 6;
 
 export class Placer {
   /** @type {Box[]} */
@@ -75,9 +77,8 @@ export class Placer {
     const wished = wishes.find((at) => this.#isFree(at.x, at.y, width, height));
     const at = wished ?? this.#nearestFree(width, height, wishes[0], farthest);
     if (!at) return null;
-    const box = { x: at.x, y: at.y, width, height };
-    this.#boxes.push(box);
-    return box;
+    this.#boxes.push({ x: at.x - APART, y: at.y, width: width + 2 * APART, height });
+    return { x: at.x, y: at.y, width, height };
   }
 
   /**

@@ -72,7 +72,7 @@ function drawTube(ctx, frame, top, bottom, materials) {
   const half = TUBE * frame.scale;
   const shine = ctx.createLinearGradient(frame.x - half, 0, frame.x + half, 0);
   shine.addColorStop(0, materials.metal);
-  shine.addColorStop(0.35, '#ffffff');
+  shine.addColorStop(0.35, materials.chrome);
   shine.addColorStop(1, materials.metal);
   ctx.fillStyle = shine;
   ctx.beginPath();

@@ -178,9 +178,11 @@ function writeSideForce(desk, arrows) {
       ...places.map((place) => ({ x: x + 13 * sheet.line, y: place })),
     ];
   };
-  values.some((text) => {
+  // The longer line is worth having near its arrow only.
+  values.some((text, i) => {
     const runs = [symbol('F'), subscript('y'), strong(text)];
-    return putLabel(desk, runs, style, wishes);
+    const farthest = i === values.length - 1 ? 90 : sheet.roomy ? 60 : 30;
+    return putLabel(desk, runs, { ...style, farthest }, wishes);
   });
 }
 
