@@ -17,6 +17,7 @@ const solvers = {
 
   'ode45-cash-karp': (tolerance) => {
     let evaluations = 0;
+    /** @type {typeof system} */
     const counted = (rate, state) => {
       evaluations++;
       system(rate, state);
@@ -35,13 +36,15 @@ const solvers = {
     solver.relativeTolerance = tolerance;
     solver.absoluteTolerance = tolerance / 100;
     solver.maxSteps = 1e6;
-    const rate = new Array(3);
+    const rate = [0, 0, 0];
+    /** @param {number} _ @param {number[]} y */
+    const rateAt = (_, y) => {
+      system(rate, y);
+      return rate.slice();
+    };
     let [now, state, steps, evaluations] = [0, initial, 0, 0];
     const states = theCase.times.map((time) => {
-      const leg = solver.solve((_, y) => {
-        system(rate, y);
-        return rate.slice();
-      }, now, state, time);
+      const leg = solver.solve(rateAt, now, state, time);
       if (leg.outcome !== odex.Outcome.Converged) throw new Error('odex gave up');
       [now, state, steps, evaluations] = [time, leg.y, steps + leg.nAccept, evaluations + leg.nEval];
       return leg.y;

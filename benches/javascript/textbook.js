@@ -16,6 +16,7 @@ const TREAD = 270;
  * The rate of (psi, its rate, y), written into `rate`; the defaults of the gear but for speed and damping.
  * @param {number} velocity
  * @param {number} damping
+ * @returns {(rate: Float64Array | number[], state: ArrayLike<number>) => void}
  */
 export const gear = (velocity, damping) => (rate, state) => {
   const psi = state[0], psiRate = state[1], y = state[2];

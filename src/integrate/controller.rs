@@ -27,12 +27,19 @@ impl Controller {
     /// Factor for the next step after one that was accepted with `error` ≤ 1.
     #[inline(always)]
     pub fn accepted(&mut self, error: f64) -> f64 {
-        let error = error.max(1e-10);
+        let error = if error > 1e-10 { error } else { 1e-10 };
         let factor = self.safety * power(error, -self.exponent) * power(self.error_before, self.beta);
-        self.error_before = error.max(1e-4);
+        self.error_before = if error > 1e-4 { error } else { 1e-4 };
         let most = if self.rejected { 1.0 } else { GROW };
         self.rejected = false;
-        factor.clamp(SHRINK, most)
+        // Comparisons, as `clamp` and `max` must also mind NaN and cost more than the powers.
+        if factor < SHRINK {
+            SHRINK
+        } else if factor > most {
+            most
+        } else {
+            factor
+        }
     }
 
     /// Writes or reads what is remembered. False where what was read makes no sense.
@@ -71,7 +78,7 @@ fn log2(x: f64) -> f64 {
 #[inline(always)]
 fn exp2(x: f64) -> f64 {
     // Adding 1023 makes it positive, and truncation of a positive number is its floor.
-    let biased = (x.clamp(-1000.0, 1000.0) + 1023.0) as u64;
+    let biased = (if x.abs() < 1000.0 { x + 1023.0 } else { 1023.0 + 1000.0_f64.copysign(x) }) as u64;
     let part = x - (biased as f64 - 1023.0);
     // 2^p ≈ 1 + p − 0.3431 p (1 − p): exact at 0 and 1, error below 0.003 between.
     let mantissa = 1.0 + part - 0.343_1 * part * (1.0 - part);

@@ -63,6 +63,14 @@ const MOST_SWITCHES: usize = 8;
 const STIFF_IN_A_ROW: u32 = 15;
 const STIFF_INTERVAL: u64 = 25;
 
+/// Values and slopes of the switches at one moment, and a bit for each that applies in its mode.
+#[derive(Clone, Copy, Debug, Default)]
+struct Switches {
+    active: u32,
+    value: [f64; MOST_SWITCHES],
+    slope: [f64; MOST_SWITCHES],
+}
+
 /// A motion of a system: where it is, the step that led there, and what is needed to go on.
 ///
 /// A clone goes on bit by bit as the original would.
@@ -82,8 +90,8 @@ pub struct Integrator<S, const N: usize> {
     x: [f64; N],
     /// Step to try next.
     h: f64,
-    /// Values and slopes of the switches at (t, x), where they apply.
-    switches: [Option<(f64, f64)>; MOST_SWITCHES],
+    /// The switches at (t, x).
+    switches: Switches,
     /// Switches passed whose value has not left zero since: a bit each.
     fresh: u32,
     controller: Controller,
@@ -132,7 +140,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             t,
             x,
             h: fixed_step,
-            switches: [None; MOST_SWITCHES],
+            switches: Switches::default(),
             fresh: 0,
             controller: controller(scheme),
             stiff_looking: 0,
@@ -400,21 +408,29 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     /// The first switch within the step just taken, and where.
     #[inline(always)]
     fn first_switch(&mut self, h: f64) -> Option<(usize, f64)> {
-        let fresh = self.fresh;
-        let start = self.switches;
+        let (fresh, start) = (self.fresh, self.switches);
         self.look_at_switches();
-        let mut suspects = 0_u32;
+        let (mut suspects, mut certain) = (0_u32, 0_u32);
         for which in 0..S::SWITCHES {
-            let (Some((start, start_slope)), Some((end, end_slope))) = (start[which], self.switches[which]) else {
+            if start.active >> which & 1 == 0 {
                 continue;
+            }
+            let ends = Ends {
+                start: start.value[which],
+                start_slope: h * start.slope[which],
+                end: self.switches.value[which],
+                end_slope: h * self.switches.slope[which],
             };
-            let ends = Ends { start, start_slope: h * start_slope, end, end_slope: h * end_slope };
-            suspects |= u32::from(!ends.stays_positive(fresh >> which & 1 == 1)) << which;
-            if end > 0.0 {
+            if ends.end > 0.0 {
                 self.fresh &= !(1 << which);
             }
+            let fresh = fresh >> which & 1 == 1;
+            if !ends.stays_positive(fresh) {
+                suspects |= 1 << which;
+                certain |= u32::from(ends.falls_once(fresh)) << which;
+            }
         }
-        if suspects == 0 { None } else { self.locate(suspects, fresh) }
+        if suspects == 0 { None } else { self.locate(suspects, certain, fresh) }
     }
 
     /// Values and slopes of the switches at the end of the last step, where the next one starts.
@@ -422,15 +438,20 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     fn look_at_switches(&mut self) {
         const { assert!(S::SWITCHES <= MOST_SWITCHES) };
         let along: [Dual<1>; N] = std::array::from_fn(|i| Dual { value: self.x[i], slope: [self.f[i]] });
+        self.switches.active = 0;
         for which in 0..S::SWITCHES {
-            let value = self.system.switch(which, Dual::variable(self.t, 0), self.mode, &along);
-            self.switches[which] = value.map(|value| (value.value, value.slope[0]));
+            if let Some(value) = self.system.switch(which, Dual::variable(self.t, 0), self.mode, &along) {
+                self.switches.active |= 1 << which;
+                self.switches.value[which] = value.value;
+                self.switches.slope[which] = value.slope[0];
+            }
         }
     }
 
-    /// The first of the suspected switches on the dense output, and the θ where it falls.
+    /// The first of the suspected switches on the dense output, and the θ where it falls; of the certain ones it is
+    /// known that they fall once.
     #[inline(never)]
-    fn locate(&mut self, suspects: u32, fresh: u32) -> Option<(usize, f64)> {
+    fn locate(&mut self, suspects: u32, certain: u32, fresh: u32) -> Option<(usize, f64)> {
         self.prepare_dense();
         let mut first: Option<(usize, f64)> = None;
         for which in (0..S::SWITCHES).filter(|which| suspects >> which & 1 == 1) {
@@ -438,7 +459,12 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
                 let t = self.from_t + theta * self.length;
                 self.system.switch(which, t, self.mode, &self.dense.at(theta)).unwrap_or(1.0)
             };
-            if let Some(theta) = self.locator.first(fresh >> which & 1 == 1, value)
+            let fall = if certain >> which & 1 == 1 {
+                Some(bracketed(0.0, 1.0, &value))
+            } else {
+                self.locator.first(fresh >> which & 1 == 1, value)
+            };
+            if let Some(theta) = fall
                 && first.is_none_or(|(_, earliest)| theta < earliest)
             {
                 first = Some((which, theta));
@@ -475,8 +501,8 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.f = self.system.rate(self.t, self.mode, &self.x);
         self.stats.evaluations += 1;
         self.look_at_switches();
-        for (other, value) in self.switches.iter().enumerate() {
-            if value.is_none_or(|(value, _)| value > 0.0) {
+        for other in 0..S::SWITCHES {
+            if self.switches.active >> other & 1 == 0 || self.switches.value[other] > 0.0 {
                 self.fresh &= !(1 << other);
             }
         }

@@ -27,8 +27,27 @@ impl Ends {
         let leaving = self.start_slope / 3.0;
         let arriving = self.end_slope / 3.0;
         let margin = 0.1 * (leaving.abs() + arriving.abs() + (self.end - start).abs());
-        let lowest = (start + leaving).min(self.end - arriving).min(self.end);
-        if fresh { lowest > 0.0 && leaving > 0.0 && self.end > margin.min(leaving) } else { lowest.min(start) > margin }
+        // Bernstein coefficients: start, start + leaving, end − arriving, end.
+        if fresh {
+            leaving > 0.0 && self.end - arriving > 0.0 && (self.end > margin || self.end > leaving)
+        } else {
+            start > margin && start + leaving > margin && self.end - arriving > margin && self.end > margin
+        }
+    }
+
+    /// Whether the switch surely falls through zero just once, judged by the same cubic with the same margin: it starts
+    /// positive, ends negative, and its slope never turns.
+    #[inline(always)]
+    pub fn falls_once(&self, fresh: bool) -> bool {
+        let fall = self.start - self.end;
+        let (leaving, arriving) = (-self.start_slope / 3.0, -self.end_slope / 3.0);
+        let margin = 0.1 * fall;
+        !fresh
+            && self.start > 0.0
+            && self.end < 0.0
+            && leaving > margin
+            && arriving > margin
+            && leaving + arriving < fall
     }
 }
 
@@ -211,6 +230,28 @@ mod tests {
     #[test]
     fn a_start_beyond_the_boundary_falls_at_once() {
         assert_eq!(first(false, |t| -0.1 + t), Some(0.0));
+    }
+
+    #[test]
+    fn a_fall_promised_to_be_the_only_one_is() {
+        let mut promises = 0;
+        for level in 0..100 {
+            for phase in 0..120 {
+                for step in [0.1, 0.4, 0.8, 1.5] {
+                    let offset = -1.0 + 2.0 * level as f64 / 99.0;
+                    let start = phase as f64 * 0.0525;
+                    let value = |theta: f64| offset + (start + theta * step).sin();
+                    let slope = |theta: f64| step * (start + theta * step).cos();
+                    let ends =
+                        Ends { start: value(0.0), start_slope: slope(0.0), end: value(1.0), end_slope: slope(1.0) };
+                    if ends.falls_once(false) {
+                        promises += 1;
+                        assert!((0..=100).all(|i| slope(0.01 * i as f64) < 0.0), "{ends:?}");
+                    }
+                }
+            }
+        }
+        assert!(promises > 1000, "the shortcut is used: {promises}");
     }
 
     #[test]

@@ -142,10 +142,12 @@ export class Stage extends LitElement {
   }
 }
 
-/** @returns {import('./gear/scene.js').LayoutName} */
+const phone = matchMedia('(max-width: 699px)');
+const projector = matchMedia('(min-width: 1000px) and (max-width: 1099px) and (min-height: 640px)');
+
+/** @returns {import('./gear/scene.js').LayoutName} the layout in force, as style/layout.css has it */
 function layoutName() {
-  if (matchMedia('(max-width: 699px)').matches) return 'phone';
-  return matchMedia('(min-width: 1000px) and (max-width: 1099px) and (min-height: 640px)').matches ? 'projector' : 'desktop';
+  return phone.matches ? 'phone' : projector.matches ? 'projector' : 'desktop';
 }
 
 customElements.define('shimmy-stage', Stage);
