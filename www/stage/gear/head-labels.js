@@ -4,7 +4,7 @@
  * @module
  */
 
-import { formatNumber } from '../../words/number.js';
+import { decimalsOf, formatNumber } from '../../words/number.js';
 import { putLabel, fill } from './desk.js';
 import { DRAWN_GAP } from './head.js';
 import { protractorBox } from './protractor.js';
@@ -57,7 +57,7 @@ function writeGap(desk) {
   if (!(freeplay > 0)) return;
   const { head, small } = sheet;
   const degrees = freeplay * DEGREES;
-  const decimals = Math.abs(degrees - Math.round(degrees)) < 1e-9 ? 0 : degrees < 0.1 ? 3 : 2;
+  const decimals = Math.min(3, decimalsOf(degrees, 0));
   const angle = `${formatNumber(degrees, decimals, words.language)}°`;
   const times = DRAWN_GAP / freeplay;
   const factor = formatNumber(times, times < 10 ? 1 : 0, words.language);
