@@ -19,28 +19,17 @@ pub struct Case {
 
 impl Case {
     pub fn read() -> Self {
-        let json: Value =
-            serde_json::from_str(include_str!("../../case.json")).expect("case.json is JSON");
+        let json: Value = serde_json::from_str(include_str!("../../case.json")).expect("case.json is JSON");
         let numbers = |value: &Value| -> Vec<f64> {
-            value
-                .as_array()
-                .expect("a list")
-                .iter()
-                .map(|item| item.as_f64().expect("a number"))
-                .collect()
+            value.as_array().expect("a list").iter().map(|item| item.as_f64().expect("a number")).collect()
         };
-        let three =
-            |value: &Value| -> [f64; 3] { numbers(value).try_into().expect("three numbers") };
+        let three = |value: &Value| -> [f64; 3] { numbers(value).try_into().expect("three numbers") };
         let two = |value: &Value| -> [f64; 2] { numbers(value).try_into().expect("two numbers") };
         let parameter = |name: &str| json["parameters"][name].as_f64().expect("a number");
         Self {
             velocity: parameter("velocity"),
             damping: parameter("dampingConstant"),
-            initial: [
-                json["initial"]["torsionAngle"].as_f64().expect("a number"),
-                0.0,
-                0.0,
-            ],
+            initial: [json["initial"]["torsionAngle"].as_f64().expect("a number"), 0.0, 0.0],
             times: two(&json["times"]),
             allowed: two(&json["allowed"]),
             tolerances: numbers(&json["tolerances"]),
@@ -53,10 +42,7 @@ impl Case {
     pub fn errors(&self, solution: &Solution) -> [f64; 2] {
         std::array::from_fn(|time| {
             (0..3)
-                .map(|state| {
-                    (solution[time][state] - self.reference[time][state]).abs()
-                        / self.amplitude[state]
-                })
+                .map(|state| (solution[time][state] - self.reference[time][state]).abs() / self.amplitude[state])
                 .fold(0.0, f64::max)
         })
     }

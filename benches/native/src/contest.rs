@@ -26,9 +26,7 @@ pub fn enter(case: &Case, name: &str, mut solve: impl FnMut(f64) -> Option<Outco
         };
         let errors = case.errors(&outcome.solution);
         met = (0..2).all(|time| errors[time] <= case.allowed[time]);
-        let nearer = best
-            .as_ref()
-            .is_none_or(|(_, _, least)| errors[1] < least[1]);
+        let nearer = best.as_ref().is_none_or(|(_, _, least)| errors[1] < least[1]);
         if met || nearer {
             best = Some((tolerance, outcome, errors));
         }

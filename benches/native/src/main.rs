@@ -21,8 +21,14 @@ fn main() {
         if let Some(tight) = ours::solve(&case, "dop853", 1e-13) {
             println!("{}", json!({ "tight": case.errors(&tight.solution) }));
         }
-        println!("{}", contest::enter(&case, "ode_solvers dopri5", |tolerance| peers::ode_solvers_dopri5(&case, tolerance)));
-        println!("{}", contest::enter(&case, "ode_solvers dop853", |tolerance| peers::ode_solvers_dop853(&case, tolerance)));
+        println!(
+            "{}",
+            contest::enter(&case, "ode_solvers dopri5", |tolerance| peers::ode_solvers_dopri5(&case, tolerance))
+        );
+        println!(
+            "{}",
+            contest::enter(&case, "ode_solvers dop853", |tolerance| peers::ode_solvers_dop853(&case, tolerance))
+        );
         println!("{}", contest::enter(&case, "diffsol tsit45", |tolerance| peers::diffsol_tsit45(&case, tolerance)));
     }
 }

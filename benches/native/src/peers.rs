@@ -22,24 +22,13 @@ impl System<f64, Vector3<f64>> for Textbook {
 macro_rules! ode_solvers_method {
     ($name:ident, $method:ident) => {
         pub fn $name(case: &Case, tolerance: f64) -> Option<Outcome> {
-            let gear = Gear {
-                velocity: case.velocity,
-                damping: case.damping,
-            };
+            let gear = Gear { velocity: case.velocity, damping: case.damping };
             let (mut state, mut now) = (Vector3::from(case.initial), 0.0);
             let (mut steps, mut evaluations) = (0, 0);
             let mut solution = [[0.0; 3]; 2];
             for (leg, &time) in case.times.iter().enumerate() {
                 let step = time - now;
-                let mut solver = $method::new(
-                    Textbook(gear),
-                    now,
-                    time,
-                    step,
-                    state,
-                    tolerance,
-                    tolerance / 100.0,
-                );
+                let mut solver = $method::new(Textbook(gear), now, time, step, state, tolerance, tolerance / 100.0);
                 solver.set_output(OutputType::Sparse);
                 let stats = solver.integrate().ok()?;
                 state = *solver.y_out().last()?;
@@ -48,11 +37,7 @@ macro_rules! ode_solvers_method {
                 evaluations += u64::from(stats.num_eval);
                 solution[leg] = state.into();
             }
-            Some(Outcome {
-                solution,
-                steps: Some(steps),
-                evaluations: Some(evaluations),
-            })
+            Some(Outcome { solution, steps: Some(steps), evaluations: Some(evaluations) })
         }
     };
 }
@@ -62,10 +47,7 @@ ode_solvers_method!(ode_solvers_dop853, Dop853);
 
 /// Tsitouras 5(4) of the crate `diffsol`, stopped at each time.
 pub fn diffsol_tsit45(case: &Case, tolerance: f64) -> Option<Outcome> {
-    let gear = Gear {
-        velocity: case.velocity,
-        damping: case.damping,
-    };
+    let gear = Gear { velocity: case.velocity, damping: case.damping };
     let initial = case.initial;
     let evaluations = Cell::new(0);
     let problem = OdeBuilder::<NalgebraMat<f64>>::new()
@@ -92,9 +74,5 @@ pub fn diffsol_tsit45(case: &Case, tolerance: f64) -> Option<Outcome> {
         }
         solution[leg].copy_from_slice(solver.state().y.batch_as_slice(0));
     }
-    Some(Outcome {
-        solution,
-        steps: Some(steps),
-        evaluations: Some(evaluations.get()),
-    })
+    Some(Outcome { solution, steps: Some(steps), evaluations: Some(evaluations.get()) })
 }

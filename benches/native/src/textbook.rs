@@ -32,13 +32,8 @@ impl Gear {
         } else {
             0.0
         };
-        let torque = -STIFFNESS * psi - (self.damping + TREAD / self.velocity) * rate
-            + aligning_moment
-            - CASTER * side_force;
-        [
-            rate,
-            torque / INERTIA,
-            self.velocity * psi + (CASTER - HALF_CONTACT) * rate - self.velocity / RELAXATION * y,
-        ]
+        let torque =
+            -STIFFNESS * psi - (self.damping + TREAD / self.velocity) * rate + aligning_moment - CASTER * side_force;
+        [rate, torque / INERTIA, self.velocity * psi + (CASTER - HALF_CONTACT) * rate - self.velocity / RELAXATION * y]
     }
 }
