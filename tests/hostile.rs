@@ -1,0 +1,306 @@
+//! Whatever is handed over as a run: it is carried out in finite numbers, or refused in words that name a field.
+#![cfg(not(target_arch = "wasm32"))]
+
+use proptest::prelude::*;
+use shimmy::{
+    Error, Run,
+    run::{MOST_SAMPLES, Value},
+};
+
+/// A run that is damaged still ends after so many steps.
+const STEPS: f64 = 2_000.0;
+
+const RUN_KEYS: [&str; 14] = [
+    "model",
+    "parameters",
+    "initial",
+    "duration",
+    "method",
+    "rtol",
+    "atol",
+    "step",
+    "times",
+    "samples",
+    "damper",
+    "modle",
+    "",
+    "__proto__",
+];
+
+const NESTED_KEYS: [&str; 20] = [
+    "velocity",
+    "casterLength",
+    "halfContactLength",
+    "relaxationLength",
+    "momentOfInertia",
+    "torsionalStiffness",
+    "dampingConstant",
+    "verticalForce",
+    "sideForceDerivative",
+    "aligningMomentDerivative",
+    "sideForceLimitAngle",
+    "aligningMomentLimitAngle",
+    "treadWidthMomentConstant",
+    "freeplayAngle",
+    "torsionAngle",
+    "torsionRate",
+    "lateralDeformation",
+    "velocty",
+    "",
+    "🛬",
+];
+
+/// Numbers at the ends of what a double can say, those just past a limit, and any other bits.
+fn number() -> impl Strategy<Value = f64> {
+    let edges = [
+        f64::NAN,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        0.0,
+        -0.0,
+        5e-324,
+        -5e-324,
+        f64::MIN_POSITIVE,
+        1e-300,
+        1e-30,
+        f64::EPSILON,
+        0.5,
+        -1.0,
+        1e12,
+        1.000_000_1e12,
+        9_007_199_254_740_993.0,
+        1e155,
+        1e308,
+        f64::MAX,
+        f64::MIN,
+    ];
+    prop_oneof![4 => prop::sample::select(edges.to_vec()), 1 => prop::num::f64::ANY, 2 => 1e-3..100.0]
+}
+
+fn text() -> impl Strategy<Value = String> {
+    prop_oneof![
+        prop::sample::select(vec![
+            "torsional",
+            "torsional-linear",
+            "torsionl",
+            "rk4",
+            "rodas",
+            "dop853",
+            "12",
+            "NaN",
+            "\0",
+            ""
+        ])
+        .prop_map(str::to_owned),
+        any::<String>(),
+        Just("x".repeat(100_000)),
+    ]
+}
+
+fn value() -> impl Strategy<Value = Value> {
+    let leaf = prop_oneof![
+        Just(Value::Absent),
+        any::<bool>().prop_map(Value::Bool),
+        number().prop_map(Value::Number),
+        text().prop_map(Value::Text),
+        prop::collection::vec(number(), 0..5).prop_map(Value::Numbers),
+        Just(Value::Other("a function")),
+    ];
+    leaf.prop_recursive(4, 24, 4, |inner| {
+        prop_oneof![
+            any::<usize>().prop_map(Value::List),
+            prop::collection::vec((key(&NESTED_KEYS), inner), 0..4).prop_map(Value::Record),
+        ]
+    })
+}
+
+fn key(known: &[&'static str]) -> impl Strategy<Value = String> + use<> {
+    prop::sample::select(known.to_vec()).prop_map(str::to_owned)
+}
+
+/// A record that looks like a run, with anything as its values; the last keys keep it short.
+fn run_like() -> impl Strategy<Value = Value> {
+    let numbers =
+        || prop::collection::vec((key(&NESTED_KEYS), number().prop_map(Value::Number)), 0..4).prop_map(Value::Record);
+    let model = prop::sample::select(vec!["torsional", "torsional-linear"]);
+    let method = prop::sample::select(vec!["auto", "dormand-prince", "dop853", "rk4", "rodas"]);
+    (model, method, numbers(), numbers(), prop::collection::vec((key(&RUN_KEYS), value()), 0..3)).prop_map(
+        |(model, method, parameters, initial, damage)| {
+            let named = |key: &str, value| (key.to_owned(), value);
+            let mut entries = vec![
+                named("model", Value::Text(model.into())),
+                named("method", Value::Text(method.into())),
+                named("parameters", parameters),
+                named("initial", initial),
+                named("duration", Value::Number(0.01)),
+            ];
+            entries.extend(damage.into_iter().filter(|(key, value)| !is_large(key, value)));
+            entries.push(named("maxSteps", Value::Number(STEPS)));
+            Value::Record(entries)
+        },
+    )
+}
+
+/// A number of samples that is allowed, and takes a while.
+fn is_large(key: &str, value: &Value) -> bool {
+    key == "samples" && matches!(value, Value::Number(n) if (1e4..=MOST_SAMPLES as f64).contains(n))
+}
+
+fn assert_speaks(error: &Error) {
+    let sentence = error.to_string();
+    assert!(!error.field.is_empty(), "names no field: {sentence}");
+    assert!(!error.code.name().is_empty());
+    assert!(!error.allowed.is_empty(), "does not say what is allowed: {sentence}");
+    assert!(sentence.len() < 2_000, "{} characters of message", sentence.len());
+}
+
+fn assert_finite(what: &str, values: &[f64]) {
+    assert!(values.iter().all(|value| value.is_finite()), "{what} is not finite: {values:?}");
+}
+
+/// Carries a value out as a run, as far as it gets.
+fn attempt(input: &Value) {
+    let run = match Run::read(input) {
+        Ok(run) => run,
+        Err(error) => return assert_speaks(&error),
+    };
+    match run.simulate() {
+        Ok(trajectory) => {
+            assert_finite("time", &trajectory.time);
+            assert!(trajectory.time.is_sorted(), "time falls");
+            for column in &trajectory.states {
+                assert_eq!(column.len(), trajectory.time.len());
+                assert_finite("a state", column);
+            }
+            assert_finite("an event's time", &trajectory.events.time);
+        }
+        Err(error) => assert_speaks(&error),
+    }
+    match run.live() {
+        Ok(mut simulator) => {
+            for _ in 0..3 {
+                if let Err(error) = simulator.advance(1e-3) {
+                    assert_speaks(&error);
+                }
+                assert_finite("the live state", &simulator.state());
+            }
+        }
+        Err(error) => assert_speaks(&error),
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn anything_is_carried_out_or_refused(input in value()) {
+        attempt(&input);
+    }
+
+    #[test]
+    fn what_looks_like_a_run_is_carried_out_or_refused(input in run_like()) {
+        attempt(&input);
+    }
+
+    #[test]
+    fn a_live_motion_survives_every_argument(
+        input in run_like(),
+        moves in prop::collection::vec((0_usize..9, number(), number(), number(), key(&NESTED_KEYS)), 1..10),
+    ) {
+        let Ok(mut live) = Run::read(&input).and_then(|run| run.live()) else { return Ok(()) };
+        for (which, a, b, c, name) in moves {
+            let outcome = match which {
+                0 => live.advance(a.min(0.01)),
+                1 => live.set(&name, a),
+                2 => live.set_state(&name, a),
+                3 => live.kick(a),
+                4 => live.seek(a),
+                5 => live.reset(),
+                6 => live.trace(a).map(|columns| columns.states.iter().for_each(|column| assert_finite("the trace", column))),
+                7 => live.history(a, b, c.min(100.0)).map(|columns| columns.states.iter().for_each(|column| assert_finite("the past", column))),
+                _ => live.envelope(a, b, c.min(100.0)).map(|envelope| assert_finite("the envelope", &envelope.low)),
+            };
+            if let Err(error) = outcome {
+                assert_speaks(&error);
+            }
+            assert_finite("the live state", &live.state());
+            prop_assert!(live.time().is_finite());
+        }
+    }
+
+    #[test]
+    fn damaged_snapshots_are_refused_and_change_nothing(
+        byte in any::<prop::sample::Index>(), bit in 0_u8..8, kept in any::<prop::sample::Index>(),
+    ) {
+        let mut live = Run::of("torsional").unwrap().starting("torsionAngle", 0.1).unwrap().live().unwrap();
+        live.advance(0.01).unwrap();
+        let whole = live.snapshot();
+        let state = live.state();
+        let mut flipped = whole.clone();
+        flipped[byte.index(whole.len())] ^= 1 << bit;
+        for damaged in [flipped.as_slice(), &whole[..kept.index(whole.len())], &[whole.as_slice(), &[0]].concat()] {
+            assert_speaks(&live.restore(damaged).unwrap_err());
+            prop_assert_eq!(live.state(), state.clone());
+        }
+        live.restore(&whole).unwrap();
+        prop_assert_eq!(live.state(), state);
+    }
+
+    /// A checksum is no proof of good will: with the right one behind them, other bytes must still do no harm.
+    #[test]
+    fn forged_snapshots_do_no_harm(
+        word in any::<prop::sample::Index>(),
+        forged in prop_oneof![number().prop_map(f64::to_bits), any::<u64>(), 0_u64..8],
+    ) {
+        let mut live = Run::of("torsional").unwrap().starting("torsionAngle", 0.1).unwrap().live().unwrap();
+        live.advance(0.1).unwrap();
+        let mut bytes = live.snapshot();
+        let body = bytes.len() - 8;
+        let at = 8 * word.index(body / 8);
+        bytes[at..at + 8].copy_from_slice(&forged.to_le_bytes());
+        let sum = bytes[..body].iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+            (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+        bytes[body..].copy_from_slice(&sum.to_le_bytes());
+        if let Err(error) = live.restore(&bytes) {
+            assert_speaks(&error);
+        }
+        assert_finite("the live state", &live.state());
+        if let Err(error) = live.advance(1e-3) {
+            assert_speaks(&error);
+        }
+        let [from, to] = live.range();
+        let _ = live.history(from, to, 10.0);
+        let _ = live.seek(from);
+        let _ = live.set("velocity", 60.0);
+        let _ = live.reset();
+        live.advance(1e-3).unwrap();
+        assert_finite("the live state", &live.state());
+    }
+}
+
+#[test]
+fn deep_nesting_is_refused_without_deep_recursion() {
+    let mut input = Value::Number(1.0);
+    for _ in 0..10_000 {
+        input = Value::Record(vec![("parameters".into(), input)]);
+    }
+    attempt(&input);
+}
+
+#[test]
+fn sizes_that_would_never_end_are_refused() {
+    let run = |key: &str, value| {
+        Run::read(&Value::Record(vec![
+            ("model".into(), Value::Text("torsional".into())),
+            (key.into(), Value::Number(value)),
+        ]))
+        .unwrap_err()
+    };
+    assert_eq!(run("samples", 1e12).code.name(), "too-large");
+    assert_eq!(run("samples", 1e12).field, "samples");
+    assert_speaks(&run("samples", 2.5));
+    assert_speaks(&run("maxSteps", 1e300));
+    assert_speaks(&run("duration", f64::INFINITY));
+    assert_speaks(&run("rtol", 0.0));
+}
