@@ -53,7 +53,7 @@ test('beyond its limit angle there is no moment and no arrow of it', () => {
 
 test('a side force at its limit says so', () => {
   const limited = sceneOf({ psi: -0.15, y: -0.06 });
-  limited.forces = { ...limited.forces, aligningMoment: 250 };
+  limited.forces = { ...limited.forces, aligningMoment: 250, sideForce: -4500 };
   assert.ok(record(limited).texts.some(({ text }) => text.endsWith('kN, at its limit')));
   assert.ok(!record(sceneOf({ y: 0.02 })).texts.some(({ text }) => text.includes('limit')));
 });

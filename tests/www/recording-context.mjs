@@ -191,7 +191,7 @@ export class RecordingContext {
 
   /** A width that is near enough for Latin and the same everywhere. @param {string} text */
   measureText(text) {
-    return { width: 0.53 * this.#fontSize() * text.length };
+    return { width: 0.5 * this.#fontSize() * text.length };
   }
 
   #fontSize() {
