@@ -1,15 +1,13 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { chromium } from 'playwright-core';
-import { chromiumArguments } from '../../scripts/setup/webdriver.mjs';
+import { launch, untilVerdict } from './chromium.mjs';
 
 const site = new URL('../../dist/index.html', import.meta.url).href;
 
 /** @type {import('playwright-core').Browser} */
 let browser;
 before(async () => {
-  const executablePath = process.env.SHIMMY_CHROMIUM ?? '/usr/bin/chromium';
-  browser = await chromium.launch({ executablePath, args: chromiumArguments() });
+  browser = await launch();
 });
 after(() => browser.close());
 
@@ -20,5 +18,5 @@ test("the site's page, opened as a file, says that it cannot run so and leads to
   assert.ok(await note.isVisible());
   await note.getByRole('link', { name: 'shimmy.html' }).first().click();
   await page.waitForURL(/shimmy\.html$/);
-  await page.getByText('It shimmies').first().waitFor({ timeout: 10_000 });
+  await untilVerdict(page, 'It shimmies');
 });
