@@ -6,7 +6,7 @@ use super::{Side, odd_polynomial::OddPolynomial};
 use crate::real::Real;
 
 /// How far past its limit a law is fitted: a step may look that far ahead before the kink is located.
-const OVERSHOOT: f64 = 1.35;
+const OVERSHOOT: f64 = 1.2;
 
 /// The piecewise law of a stretched-string tire.
 ///
@@ -78,63 +78,89 @@ fn slip_ratio(angle: f64) -> f64 {
     if angle < FRAC_PI_2 { angle.tan() } else { f64::INFINITY }
 }
 
-/// What a tire does to a wheel that turns about an axis: M_z − e F_y, without a call to the mathematical library.
+/// What a tire does to a wheel that turns about an axis: (M_z − e F_y)/I_z, without a call to the mathematical library.
 ///
-/// α enters only through q, which is small where the law still curves: on each pair of sides the moment is one odd
-/// polynomial in q, fitted once per parameter set to rounding error (see [`OddPolynomial`]). Where no polynomial of that
-/// length serves, the law itself is called.
-#[derive(Clone, Copy, Debug)]
+/// α enters only through y/σ, which is small where the law still curves: on each pair of sides the moment is a constant
+/// and an odd polynomial in y, fitted once per parameter set to rounding error (see [`OddPolynomial`]). Every pair has the
+/// same form, so that a right-hand side has no branch but the polynomial's range. Where no polynomial of that length
+/// serves, the law itself is called.
+#[derive(Clone, Debug)]
 pub struct SteeringMoment {
     law: PiecewiseTireLaw,
     caster_length: f64,
-    /// e F_y past its limit.
-    limited: f64,
-    both: OddPolynomial<10>,
-    aligning: OddPolynomial<12>,
-    casting: OddPolynomial<8>,
+    /// 1/σ
+    slip_ratio: f64,
+    /// 1/I_z
+    mobility: f64,
+    /// By the side of F_y and, four times that, the side of M_z.
+    pieces: [Piece; 16],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    constant: f64,
+    curve: OddPolynomial<12>,
 }
 
 impl SteeringMoment {
-    /// The moment of `law` about an axis that lies `caster_length` e \[m\] ahead of the contact centre.
-    pub fn new(law: PiecewiseTireLaw, caster_length: f64) -> Self {
+    /// The moment of `law` about an axis that lies e = `caster_length` \[m\] ahead of the contact centre, over the moment
+    /// of inertia I_z \[kg m²\], for a tire of relaxation length σ \[m\].
+    pub fn new(law: PiecewiseTireLaw, caster_length: f64, relaxation_length: f64, moment_of_inertia: f64) -> Self {
+        let (slip_ratio, mobility) = (1.0 / relaxation_length, 1.0 / moment_of_inertia);
         let (force_limit, moment_limit) = (law.side_force_limit(), law.aligning_limit());
-        let aligning = |q: f64| law.aligning_moment(q, Side::Within);
-        let casting = |q: f64| -caster_length * law.side_force(q, Side::Within);
         // Errors are measured by the larger of the two parts, as their sum may cancel.
-        let size = law.aligning_stiffness.max((caster_length * law.side_force_stiffness).abs());
-        let both = |q: f64| aligning(q) + casting(q);
+        let stiffness = law.aligning_stiffness.max((caster_length * law.side_force_stiffness).abs());
+        let size = stiffness * slip_ratio * mobility;
+        let aligning = |y: f64| mobility * law.aligning_moment(y * slip_ratio, Side::Within);
+        let casting = |y: f64| -mobility * caster_length * law.side_force(y * slip_ratio, Side::Within);
+        let fit = |limit: f64, function: &dyn Fn(f64) -> f64| {
+            OddPolynomial::fit(OVERSHOOT * limit * relaxation_length, size, function)
+        };
+        let both = fit(force_limit.min(moment_limit), &|y| aligning(y) + casting(y));
         // Beyond tan δ only the aligning moment changes, beyond tan α_g only the side force.
-        let aligning_range = if moment_limit > force_limit { OVERSHOOT.min(1.2) * moment_limit } else { 0.0 };
-        let casting_range = if force_limit > moment_limit { OVERSHOOT * force_limit } else { 0.0 };
-        Self {
-            law,
-            caster_length,
-            limited: caster_length * law.side_force_stiffness * law.side_force_limit_angle,
-            both: OddPolynomial::fit(OVERSHOOT * force_limit.min(moment_limit), size, both),
-            aligning: OddPolynomial::fit(aligning_range, size, aligning),
-            casting: OddPolynomial::fit(casting_range, size, casting),
-        }
+        let aligning = if moment_limit > force_limit { fit(moment_limit, &aligning) } else { OddPolynomial::zero() };
+        let casting = if force_limit > moment_limit { fit(force_limit, &casting) } else { OddPolynomial::zero() };
+        let limited = mobility * caster_length * law.side_force_stiffness * law.side_force_limit_angle;
+        let pieces = std::array::from_fn(|index| {
+            let (side_force, moment) = (index & 3, index >> 2);
+            let constant = if side_force == Side::Above as usize {
+                -limited
+            } else if side_force == Side::Below as usize {
+                limited
+            } else {
+                0.0
+            };
+            let curve = match (side_force == Side::Within as usize, moment == Side::Within as usize) {
+                (true, true) => both,
+                (false, true) => aligning,
+                (true, false) => casting,
+                (false, false) => OddPolynomial::zero(),
+            };
+            Piece { constant, curve }
+        });
+        Self { law, caster_length, slip_ratio, mobility, pieces }
     }
 
-    /// M_z − e F_y \[N m\] at the slip ratio q, each part on its side.
+    /// The part that depends on y: with [`SteeringMoment::constant`] it makes (M_z − e F_y)/I_z \[rad/s²\]. `sides` is
+    /// the side of F_y and, four times that, the side of M_z.
     #[inline(always)]
-    pub fn at<R: Real>(&self, q: R, side_force: Side, aligning: Side) -> R {
-        let e = self.caster_length;
-        match (side_force, aligning) {
-            (Side::Within, Side::Within) => self.both.eval(q, |q| self.written(q)),
-            (Side::Within, _) => self.casting.eval(q, |q| -(self.law.side_force(q, Side::Within) * e)),
-            (limited, Side::Within) => {
-                let moment = self.aligning.eval(q, |q| self.law.aligning_moment(q, Side::Within));
-                if limited == Side::Above { moment - self.limited } else { moment + self.limited }
-            }
-            (Side::Above, _) => R::from(-self.limited),
-            (Side::Below, _) => R::from(self.limited),
-        }
+    pub fn curve<R: Real>(&self, y: R, sides: u32) -> R {
+        self.pieces[(sides & 15) as usize].curve.eval(y, |y| self.written(y, sides))
     }
 
+    /// The part that does not: what a side force at its limit makes.
+    #[inline(always)]
+    pub fn constant(&self, sides: u32) -> f64 {
+        self.pieces[(sides & 15) as usize].constant
+    }
+
+    /// The curve as the law writes it.
     #[inline(never)]
-    fn written<R: Real>(&self, q: R) -> R {
-        self.law.aligning_moment(q, Side::Within) - self.law.side_force(q, Side::Within) * self.caster_length
+    fn written<R: Real>(&self, y: R, sides: u32) -> R {
+        let q = y * self.slip_ratio;
+        let aligning = if sides >> 2 & 3 == 0 { self.law.aligning_moment(q, Side::Within) } else { R::from(0.0) };
+        let casting = if sides & 3 == 0 { self.law.side_force(q, Side::Within) } else { R::from(0.0) };
+        (aligning - casting * self.caster_length) * self.mobility
     }
 }
 
@@ -158,7 +184,8 @@ mod tests {
                 for e in [-0.5, -0.1, 0.0, 0.1, 0.5] {
                     let (delta, alpha_g) = (delta.to_radians(), alpha_g.to_radians());
                     let law = PiecewiseTireLaw::new(180_000.0, 18_000.0, delta, alpha_g);
-                    let steering = SteeringMoment::new(law, e);
+                    let (sigma, inertia) = (0.3, 1.7);
+                    let steering = SteeringMoment::new(law, e, sigma, inertia);
                     for i in -1000..=1000 {
                         let q = 1e-3 * i as f64;
                         let (force, moment) = written(q, delta, alpha_g);
@@ -167,7 +194,8 @@ mod tests {
                         assert!((law.aligning_moment(q, sides.1) - moment).abs() <= 4e-15 * 18_000.0 * alpha_g);
                         // Rounding of some twenty operations on terms of this size.
                         let size = (18_000.0_f64).max(180_000.0 * e.abs()) * q.abs();
-                        let got = steering.at(q, sides.0, sides.1);
+                        let bits = sides.0 as u32 | (sides.1 as u32) << 2;
+                        let got = inertia * (steering.curve(q * sigma, bits) + steering.constant(bits));
                         assert!(
                             (got - (moment - e * force)).abs() <= 6e-15 * size + 1e-11,
                             "δ {delta} α_g {alpha_g} e {e} q {q}: {got} {}",
@@ -182,10 +210,10 @@ mod tests {
     #[test]
     fn default_limits_are_served_by_polynomials() {
         let law = PiecewiseTireLaw::new(180_000.0, 18_000.0, 5_f64.to_radians(), 10_f64.to_radians());
-        let steering = SteeringMoment::new(law, 0.1);
-        assert!(steering.both.range() > law.side_force_limit());
-        assert!(steering.aligning.range() > law.aligning_limit());
+        let steering = SteeringMoment::new(law, 0.1, 1.0, 1.0);
+        let range = |sides: usize| steering.pieces[sides].curve.range();
+        assert!(range(0) > law.side_force_limit() && range(1) > law.aligning_limit());
         let law = PiecewiseTireLaw::new(180_000.0, 18_000.0, 5_f64.to_radians(), 3_f64.to_radians());
-        assert!(SteeringMoment::new(law, 0.1).casting.range() > law.side_force_limit());
+        assert!(SteeringMoment::new(law, 0.1, 1.0, 1.0).pieces[4].curve.range() > law.side_force_limit());
     }
 }

@@ -23,11 +23,11 @@ pub(super) fn attempt<S: System<N>, const N: usize>(
 ) -> Attempt<N> {
     macro_rules! stages {
         ($($stage:literal)*) => {
-            $(k[$stage] = system.rate(t + C[$stage] * h, mode, &moved(x, h, &A[$stage], k));)*
+            $(k[$stage] = system.rate(t + C[$stage] * h, mode, &moved(x, h, &A[$stage][..$stage], k));)*
         };
     }
     stages!(1 2 3 4 5 6 7 8 9 10);
-    let last_stage = moved(x, h, &A[11], k);
+    let last_stage = moved(x, h, &A[11][..11], k);
     k[11] = system.rate(t + h, mode, &last_stage);
     Attempt { end: moved(x, h, &B, k), last_stage }
 }
@@ -58,7 +58,7 @@ pub(super) fn dense<S: System<N>, const N: usize>(
     k: &mut Stages<N>,
 ) -> Dense<N> {
     for stage in 13..16 {
-        k[stage] = system.rate(t + C[stage] * h, mode, &moved(x0, h, &A[stage], k));
+        k[stage] = system.rate(t + C[stage] * h, mode, &moved(x0, h, &A[stage][..stage], k));
     }
     let mut parts = [[0.0; N]; 7];
     for i in 0..N {

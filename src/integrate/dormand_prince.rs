@@ -43,11 +43,11 @@ pub(super) fn attempt<S: System<N>, const N: usize>(
     h: f64,
     k: &mut Stages<N>,
 ) -> Attempt<N> {
-    k[1] = system.rate(t + C[1] * h, mode, &moved(x, h, &A[1], k));
-    k[2] = system.rate(t + C[2] * h, mode, &moved(x, h, &A[2], k));
-    k[3] = system.rate(t + C[3] * h, mode, &moved(x, h, &A[3], k));
-    k[4] = system.rate(t + C[4] * h, mode, &moved(x, h, &A[4], k));
-    let last_stage = moved(x, h, &A[5], k);
+    k[1] = system.rate(t + C[1] * h, mode, &moved(x, h, &A[1][..1], k));
+    k[2] = system.rate(t + C[2] * h, mode, &moved(x, h, &A[2][..2], k));
+    k[3] = system.rate(t + C[3] * h, mode, &moved(x, h, &A[3][..3], k));
+    k[4] = system.rate(t + C[4] * h, mode, &moved(x, h, &A[4][..4], k));
+    let last_stage = moved(x, h, &A[5][..5], k);
     k[5] = system.rate(t + h, mode, &last_stage);
     let end = moved(x, h, &B, k);
     k[END] = system.rate(t + h, mode, &end);

@@ -20,11 +20,12 @@ pub(super) fn weighted<const N: usize>(weights: &[f64], k: &Stages<N>) -> [f64; 
     sum
 }
 
-/// x + h Σ weightⱼ kⱼ.
+/// x + h Σ weightⱼ kⱼ, with the last derivative, which is the last to be known, on the shortest way.
 #[inline(always)]
 pub(super) fn moved<const N: usize>(x: &[f64; N], h: f64, weights: &[f64], k: &Stages<N>) -> [f64; N] {
-    let sum = weighted(weights, k);
-    std::array::from_fn(|i| x[i] + h * sum[i])
+    let Some((last, earlier)) = weights.split_last() else { return *x };
+    let (sum, last) = (weighted(earlier, k), h * last);
+    std::array::from_fn(|i| (x[i] + h * sum[i]) + last * k[earlier.len()][i])
 }
 
 /// What one try of a step gives.

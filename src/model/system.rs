@@ -21,6 +21,12 @@ impl Mode {
         }
     }
 
+    /// The bits from kink `kink` on: its side in the lowest two.
+    #[inline(always)]
+    pub fn sides(self, kink: usize) -> u32 {
+        self.0 >> (2 * kink)
+    }
+
     /// The same mode with kink `kink` on another side.
     #[must_use]
     pub fn with_side(self, kink: usize, side: crate::element::Side) -> Self {

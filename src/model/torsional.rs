@@ -6,7 +6,7 @@ use super::{Mode, Model, System};
 use crate::{
     element::{
         Boundary, Side,
-        freeplay::spring_angle,
+        freeplay::Spring,
         tire_law::{PiecewiseTireLaw, SteeringMoment},
     },
     parameter::{Parameter, Scale, StateVariable, Validity},
@@ -20,6 +20,7 @@ pub const PSI_RATE: usize = 1;
 /// State y: lateral deformation of the tire.
 pub const Y: usize = 2;
 
+// Kinks, in the order of their bits in a mode. F_y and M_z are neighbours: their sides are read as one number.
 const SIDE_FORCE: usize = 0;
 const ALIGNING: usize = 1;
 const FREEPLAY: usize = 2;
@@ -32,7 +33,7 @@ const FREEPLAY: usize = 2;
 /// ẏ     = v ψ + (e − a) ψ̇ − (v/σ) y
 /// α     = arctan(y/σ)
 /// ```
-/// s is the spring's angle with freeplay ([`spring_angle`]), F_y and M_z the piecewise tire law ([`PiecewiseTireLaw`]).
+/// s is the spring's angle with freeplay ([`Spring`]), F_y and M_z the piecewise tire law ([`PiecewiseTireLaw`]).
 ///
 /// # State
 /// | name | symbol | unit | positive |
@@ -74,16 +75,18 @@ pub struct Torsional {
     relaxation_rate: f64,
     /// 1/σ
     slip_ratio: f64,
+    stiffness: f64,
     /// 1/I_z
     mobility: f64,
-    stiffness: f64,
-    /// c + κ/v
+    /// (c + κ/v)/I_z
     damping: f64,
-    freeplay: f64,
+    /// k s(ψ)/I_z
+    spring: Spring,
     law: PiecewiseTireLaw,
     /// tan δ and tan α_g
     limits: [f64; 2],
-    steering_moment: SteeringMoment,
+    /// (M_z − e F_y)/I_z
+    tire: SteeringMoment,
 }
 
 /// Forces at a state: what a drawing shows.
@@ -109,7 +112,7 @@ impl Torsional {
     pub fn forces(&self, x: &[f64; 3]) -> Forces {
         let mode = self.mode(0.0, x);
         let q = x[Y] * self.slip_ratio;
-        let spring_angle = self.spring_angle(mode, x[PSI]);
+        let spring_angle = self.spring.angle(x[PSI]);
         Forces {
             slip_angle: q.atan(),
             side_force: self.law.side_force(q, mode.side(SIDE_FORCE)),
@@ -118,11 +121,6 @@ impl Torsional {
             spring_angle,
             spring_torque: -self.stiffness * spring_angle,
         }
-    }
-
-    #[inline(always)]
-    fn spring_angle<R: Real>(&self, mode: Mode, psi: R) -> R {
-        if self.freeplay == 0.0 { psi } else { spring_angle(psi, self.freeplay, mode.side(FREEPLAY)) }
     }
 }
 
@@ -133,12 +131,13 @@ impl System<3> for Torsional {
     #[inline(always)]
     fn rate<R: Real>(&self, _t: R, mode: Mode, x: &[R; 3]) -> [R; 3] {
         let [psi, psi_rate, y] = *x;
-        let q = y * self.slip_ratio;
-        // M_z − e F_y
-        let tire = self.steering_moment.at(q, mode.side(SIDE_FORCE), mode.side(ALIGNING));
-        let spring = self.spring_angle(mode, psi) * self.stiffness;
-        let torque = tire - spring - psi_rate * self.damping;
-        [psi_rate, torque * self.mobility, psi * self.velocity + psi_rate * self.lever - y * self.relaxation_rate]
+        // All moments over I_z. The tire's is added last, as it takes longest to come.
+        let spring = self.spring.torque(psi, mode.sides(FREEPLAY));
+        let limited = self.tire.constant(mode.sides(SIDE_FORCE));
+        let psi_acceleration =
+            -(spring + psi_rate * self.damping - limited) + self.tire.curve(y, mode.sides(SIDE_FORCE));
+        let y_rate = psi * self.velocity + psi_rate * self.lever - y * self.relaxation_rate;
+        [psi_rate, psi_acceleration, y_rate]
     }
 
     fn mode(&self, t: f64, x: &[f64; 3]) -> Mode {
@@ -147,8 +146,8 @@ impl System<3> for Torsional {
         let mut mode = Mode::default()
             .with_side(SIDE_FORCE, Side::of(q, y_rate, self.limits[SIDE_FORCE]))
             .with_side(ALIGNING, Side::of(q, y_rate, self.limits[ALIGNING]));
-        if self.freeplay > 0.0 {
-            mode = mode.with_side(FREEPLAY, Side::of(x[PSI], x[PSI_RATE], self.freeplay));
+        if self.spring.freeplay() > 0.0 {
+            mode = mode.with_side(FREEPLAY, Side::of(x[PSI], x[PSI_RATE], self.spring.freeplay()));
         }
         mode
     }
@@ -159,7 +158,7 @@ impl System<3> for Torsional {
         let boundary = if which % 2 == 0 { Boundary::Upper } else { Boundary::Lower };
         let (quantity, limit) = match kink {
             SIDE_FORCE | ALIGNING => (x[Y] * self.slip_ratio, self.limits[kink]),
-            _ if self.freeplay > 0.0 => (x[PSI], self.freeplay),
+            _ if self.spring.freeplay() > 0.0 => (x[PSI], self.spring.freeplay()),
             _ => return None,
         };
         mode.side(kink).margin(boundary, quantity, limit)
@@ -193,12 +192,12 @@ impl Model<3> for Torsional {
             relaxation_rate: v / sigma,
             slip_ratio: 1.0 / sigma,
             mobility: 1.0 / i_z,
+            damping: (c + kappa / v) / i_z,
             stiffness: k,
-            damping: c + kappa / v,
-            freeplay,
+            spring: Spring::new(k / i_z, freeplay),
             law,
             limits: [law.side_force_limit(), law.aligning_limit()],
-            steering_moment: SteeringMoment::new(law, e),
+            tire: SteeringMoment::new(law, e, sigma, i_z),
         }
     }
 
@@ -207,7 +206,8 @@ impl Model<3> for Torsional {
     }
 
     fn without_freeplay(&self) -> Option<Self> {
-        (self.freeplay > 0.0).then(|| Self { freeplay: 0.0, ..self.clone() })
+        (self.spring.freeplay() > 0.0)
+            .then(|| Self { spring: Spring::new(self.stiffness * self.mobility, 0.0), ..self.clone() })
     }
 }
 
