@@ -19,7 +19,7 @@ export function buildModule({ wasm }) {
   const aside = join(ROOT, 'target', `pkg-${process.pid}`);
   try {
     // no-install: all that wasm-pack would download, the set-up has found.
-    const build = ['build', '--mode', 'no-install', '--target', 'web', '--no-pack', '--out-dir', aside];
+    const build = ['build', '--mode', 'no-install', '--target', 'web', '--no-pack', '--out-dir', aside, '--', '--locked'];
     run('wasm-pack', ['--log-level', 'error', ...build], wasm);
     rmSync(MODULE, { recursive: true, force: true });
     renameSync(aside, MODULE);

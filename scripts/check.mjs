@@ -13,10 +13,10 @@ import { TARGET } from './setup/wasm-trial.mjs';
  */
 export const checkStages = (tools) => [
   ['format', () => run('cargo', ['fmt', '--check'], tools.native)],
-  ['clippy', () => run('cargo', ['clippy', '--all-targets', '--', '-D', 'warnings'], tools.native)],
+  ['clippy', () => run('cargo', ['clippy', '--locked', '--all-targets', '--', '-D', 'warnings'], tools.native)],
   [
     'clippy for wasm32',
-    () => run('cargo', ['clippy', '--target', TARGET, '--lib', '--test', 'wasm', '--', '-D', 'warnings'], tools.wasm),
+    () => run('cargo', ['clippy', '--locked', '--target', TARGET, '--lib', '--test', 'wasm', '--', '-D', 'warnings'], tools.wasm),
   ],
   // The types of the module come from its build.
   ['WebAssembly module', () => ensureModule(tools)],

@@ -14,7 +14,7 @@ const tools = setUp('native', 'module', 'checks', 'browsers');
 
 /** The suite of tests/wasm.rs; the same program runs in every place. @param {NodeJS.ProcessEnv} [place] */
 const wasmSuite = (place) => () =>
-  run('cargo', ['test', '--target', TARGET, '--test', 'wasm'], {
+  run('cargo', ['test', '--locked', '--target', TARGET, '--test', 'wasm'], {
     ...tools.wasm,
     CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner',
     ...place,
@@ -47,7 +47,7 @@ const nodeTests = (folder, ...options) => () => {
 
 await runStages('npm test', [
   ...checkStages(tools),
-  ['engine, natively', () => run('cargo', ['test'], tools.native)],
+  ['engine, natively', () => run('cargo', ['test', '--locked'], tools.native)],
   ['engine in Node.js', wasmSuite()],
   ['engine in Chromium', wasmSuite(inChromium)],
   ['engine in Firefox', wasmSuite(inFirefox)],
