@@ -98,6 +98,8 @@ impl<const D: usize> Sub for Dual<D> {
     }
 }
 
+// The rules of products and quotients mix operations by nature.
+#[allow(clippy::suspicious_arithmetic_impl)]
 impl<const D: usize> Mul for Dual<D> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
@@ -105,6 +107,7 @@ impl<const D: usize> Mul for Dual<D> {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl)]
 impl<const D: usize> Div for Dual<D> {
     type Output = Self;
     fn div(self, other: Self) -> Self {

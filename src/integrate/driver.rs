@@ -259,7 +259,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.x = attempt.end;
         self.dense_ready = false;
         self.stats.steps += 1;
-        if self.stats.steps % STIFF_INTERVAL == 0 || self.stiff_looking > 0 {
+        if self.stats.steps.is_multiple_of(STIFF_INTERVAL) || self.stiff_looking > 0 {
             self.look_for_stiffness(h, &attempt, &end_rate);
         }
         self.start_rate = std::mem::replace(&mut self.f, end_rate);

@@ -76,6 +76,9 @@ impl Locator {
     pub fn first(&self, fresh: bool, switch: impl Fn(f64) -> f64) -> Option<f64> {
         let values: [f64; NODES] = std::array::from_fn(|i| switch(self.nodes[i]));
         let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        if !values.iter().all(|value| value.is_finite()) {
+            return None;
+        }
         let noise = 64.0 * f64::EPSILON * largest;
         let mut course: [f64; NODES] =
             std::array::from_fn(|i| (0..NODES).map(|j| self.to_bernstein[i][j] * values[j]).sum());

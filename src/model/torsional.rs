@@ -154,10 +154,10 @@ impl System<3> for Torsional {
 
     #[inline(always)]
     fn switch<R: Real>(&self, which: usize, _t: R, mode: Mode, x: &[R; 3]) -> Option<R> {
-        let kink = which / 2;
-        let boundary = if which % 2 == 0 { Boundary::Upper } else { Boundary::Lower };
+        let (kink, boundary) = kink_and_boundary(which);
         let (quantity, limit) = match kink {
-            SIDE_FORCE | ALIGNING => (x[Y] * self.slip_ratio, self.limits[kink]),
+            SIDE_FORCE | ALIGNING if self.limits[kink].is_finite() => (x[Y] * self.slip_ratio, self.limits[kink]),
+            SIDE_FORCE | ALIGNING => return None, // a limit of 90° or more is never reached
             _ if self.spring.freeplay() > 0.0 => (x[PSI], self.spring.freeplay()),
             _ => return None,
         };
@@ -165,14 +165,19 @@ impl System<3> for Torsional {
     }
 
     fn cross(&self, which: usize, mode: Mode) -> Mode {
-        let kink = which / 2;
-        let boundary = if which % 2 == 0 { Boundary::Upper } else { Boundary::Lower };
+        let (kink, boundary) = kink_and_boundary(which);
         mode.with_side(kink, mode.side(kink).across(boundary))
     }
 
     fn event_kind(&self, which: usize) -> usize {
-        which / 2
+        kink_and_boundary(which).0
     }
+}
+
+/// Two switches a kink: where its quantity passes +limit, and where it passes −limit.
+#[inline(always)]
+fn kink_and_boundary(which: usize) -> (usize, Boundary) {
+    (which / 2, if which.is_multiple_of(2) { Boundary::Upper } else { Boundary::Lower })
 }
 
 impl Model<3> for Torsional {

@@ -144,7 +144,7 @@ impl Run {
     /// # Errors
     /// Not a whole number from 1 to 10⁹.
     pub fn at_most(mut self, steps: f64) -> Result<Self> {
-        if !(steps >= 1.0 && steps <= MOST_STEPS && steps.fract() == 0.0) {
+        if !(1.0..=MOST_STEPS).contains(&steps) || steps.fract() != 0.0 {
             return Err(Error::new(Code::OutOfRange, "maxSteps", steps.to_string(), "a whole number from 1 to 1e9"));
         }
         self.max_steps = steps as u64;
@@ -166,7 +166,7 @@ impl Run {
     /// # Errors
     /// Not a whole number from 2 to 10⁷.
     pub fn sampled(mut self, samples: f64) -> Result<Self> {
-        if !(samples >= 2.0 && samples <= MOST_SAMPLES as f64 && samples.fract() == 0.0) {
+        if !(2.0..=MOST_SAMPLES as f64).contains(&samples) || samples.fract() != 0.0 {
             let code = if samples > MOST_SAMPLES as f64 { Code::TooLarge } else { Code::OutOfRange };
             return Err(Error::new(code, "samples", samples.to_string(), "a whole number from 2 to 1e7"));
         }
