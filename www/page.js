@@ -328,13 +328,27 @@ export class Page extends LitElement {
       stage.drawAtRest(this.#theme);
       return;
     }
+    try {
+      this.#run(session, stage, this.#theme, now);
+    } catch (error) {
+      session.failure = error;
+    }
+    if (session.failure) this.#stop(session);
+    if (this.#clock.isPlaying) this.#wake();
+  }
+
+  /**
+   * @param {Session} session
+   * @param {import('./stage/stage.js').Stage} stage
+   * @param {import('./style/theme.js').Theme} theme
+   * @param {number} now in ms
+   */
+  #run(session, stage, theme, now) {
     session.advance(this.#clock.elapse(now / 1000));
-    if (session.failure) this.#stop();
     this.#look(session, now);
     const scene = session.scene(stage.wanted);
-    stage.draw(scene, this.#theme);
-    /** @type {import('./lens/phase.js').PhaseLens | null} */ (this.querySelector('shimmy-phase-lens'))?.draw(scene, this.#theme);
-    if (this.#clock.isPlaying) this.#wake();
+    stage.draw(scene, theme);
+    /** @type {import('./lens/phase.js').PhaseLens | null} */ (this.querySelector('shimmy-phase-lens'))?.draw(scene, theme);
   }
 
   /**
@@ -350,13 +364,16 @@ export class Page extends LitElement {
       Object.assign(element, { outlook: session.outlook, time: session.time, frequency: session.frequency });
   }
 
-  /** The run left what can be computed: it stands at its last good instant and says why. */
-  #stop() {
-    if (!this.#clock.isPlaying) return;
+  /**
+   * The run left what can be computed: it stands at its last good instant and says why, until something changes.
+   * @param {Session} session
+   */
+  #stop(session) {
+    session.failure = null;
     this.#clock.pause();
-    const time = this.#voice.number(this.#session?.time ?? 0, 3);
-    this.notes = [{ text: this.#voice.say('engine.stopped', { time }), isAlert: true }];
-    this.requestUpdate();
+    const text = this.#voice.say('engine.stopped', { time: this.#voice.number(session.time, 3) });
+    // Said once: a note set anew would ask for the next frame, which would fail again.
+    if (this.notes[0]?.text !== text) this.notes = [{ text, isAlert: true }];
   }
 }
 

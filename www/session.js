@@ -22,6 +22,13 @@ import { roundLimit, roundStep } from './view/scale.js';
 /** What a kick is: a blow about the steering axis, in N m s. */
 export const kickImpulse = 10;
 
+/**
+ * Steps that one frame, and one look ahead, may take. A gear of sensible size takes a few a millisecond and some ten
+ * thousand to look 6 s ahead; an absurd one is stopped, for the page must never block.
+ */
+const stepsOfFrame = 100_000;
+const stepsAhead = 30_000;
+
 /** Drawn beyond this, a swing is magnified anew even while a slider moves. */
 const widestDrawn = (45 * Math.PI) / 180;
 /** Scales reach no further ahead than this, far beyond what the model is trusted for. */
@@ -78,7 +85,7 @@ export class Session {
    * @param {number} seconds
    */
   advance(seconds) {
-    if (this.failure || !(seconds > 0)) return;
+    if (!(seconds > 0)) return;
     this.#move(() => this.#simulator.advance(seconds));
   }
 
@@ -190,7 +197,7 @@ export class Session {
 
   #begin() {
     const { object, parameters, run } = this.#store.state;
-    const simulator = new this.#engine.Simulator({ model: object, parameters, initial: run.initial });
+    const simulator = new this.#engine.Simulator({ model: object, parameters, initial: run.initial, maxSteps: stepsOfFrame });
     this.#applied = simulator.parameters();
     this.#past.clear();
     this.#roll = 0;
@@ -211,7 +218,9 @@ export class Session {
 
   #lookAhead() {
     this.#lookedAt = this.#simulator.time;
-    return this.#engine.outlook({ model: this.#store.state.object, parameters: this.#applied, initial: this.#present() });
+    return this.#engine.outlook({
+      model: this.#store.state.object, parameters: this.#applied, initial: this.#present(), maxSteps: stepsAhead,
+    });
   }
 
   /** The present state by name. */
@@ -234,7 +243,7 @@ export class Session {
    */
   #nextMoment(parameters, [torsionAngle, torsionRate, lateralDeformation], duration) {
     const initial = { torsionAngle, torsionRate, lateralDeformation };
-    return this.#engine.simulate({ model: this.#store.state.object, parameters, initial, duration, samples: 60, rtol: 1e-6 });
+    return this.#engine.simulate({ model: this.#store.state.object, parameters, initial, duration, samples: 60, rtol: 1e-6, maxSteps: stepsAhead });
   }
 
   /** The largest ψ and ψ̇ of the motion now and to come. */

@@ -179,6 +179,18 @@ test('a wheel at rest is kicked', async () => {
   await leave();
 });
 
+test('an absurd value stops the run, not the page, and is undone', async () => {
+  const { page, leave } = await open(browser, server.address);
+  await untilVerdict(page, 'It shimmies');
+  await type(page, 'casterLength', '500000');
+  await page.locator('.note', { hasText: 'The run stopped at' }).waitFor();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.getByRole('button', { name: 'Play' }).click();
+  await untilVerdict(page, 'It shimmies');
+  assert.equal(await page.locator('.note').count(), 0);
+  await leave();
+});
+
 test('all values are in a drawer beside the gear, each live', async () => {
   const { page, leave } = await open(browser, server.address);
   await untilVerdict(page, 'It shimmies');
