@@ -7,16 +7,17 @@ import { LitElement, html } from 'lit';
  */
 
 /**
- * The strip above the lens: the story, or a note in its place while there is something to say. The note's own button
- * asks for a `close`.
+ * The strip above the lens: what to try with the motion as it is, or a note in its place while there is something to
+ * say. The note's own button asks for a `close`.
  */
 export class Notice extends LitElement {
-  static properties = { voice: { attribute: false }, notes: { attribute: false } };
+  static properties = { voice: { attribute: false }, notes: { attribute: false }, outlook: { attribute: false } };
 
   constructor() {
     super();
     /** @type {Voice | null} */ this.voice = null;
     /** @type {Note[]} */ this.notes = [];
+    /** @type {import('./engine/engine.js').Outlook | null} */ this.outlook = null;
   }
 
   createRenderRoot() {
@@ -26,7 +27,11 @@ export class Notice extends LitElement {
   render() {
     const { voice, notes } = this;
     if (!voice) return html``;
-    if (notes.length === 0) return html`<div class="story"><p class="story-title">${voice.say('story.title')}</p><p>${voice.say('story.text')}</p></div>`;
+    if (notes.length === 0) return html`
+      <div class="story">
+        <p class="story-title">${voice.say('story.title')}</p>
+        <p>${voice.say(`story.${this.outlook?.verdict ?? 'shimmies'}`)}</p>
+      </div>`;
     return html`
       <div class="story note">
         ${notes.map(({ text, isAlert }) => html`<p role=${isAlert ? 'alert' : 'status'}>${text}</p>`)}

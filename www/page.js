@@ -228,8 +228,10 @@ export class Page extends LitElement {
     this.requestUpdate();
   }
 
+  /** The rate by hand, else the one for the motion that the run settles on. */
   #setRate() {
-    this.#clock.slow = this.#store.state.clock.slow ?? slowRateFor(this.#session?.frequency ?? null);
+    const { frequency, present } = this.#session?.outlook ?? {};
+    this.#clock.slow = this.#store.state.clock.slow ?? slowRateFor(frequency ?? present?.frequency ?? null);
   }
 
   /** @param {number} time */
@@ -360,7 +362,7 @@ export class Page extends LitElement {
     if (!session.isStale && !isDue) return;
     if (session.isStale || (this.#clock.isPlaying && !session.outlook.settled)) session.refresh();
     if (isDue) this.#outlookAt = now;
-    for (const element of this.querySelectorAll('shimmy-stage, shimmy-phase-lens'))
+    for (const element of this.querySelectorAll('shimmy-stage, shimmy-phase-lens, shimmy-notice'))
       Object.assign(element, { outlook: session.outlook, time: session.time, frequency: session.frequency });
   }
 

@@ -36,6 +36,7 @@ export class Transport extends LitElement {
     if (!voice) return html``;
     const press = (/** @type {string} */ what) => () => this.dispatchEvent(new CustomEvent('transport', { detail: what }));
     const start = voice.say('clock.start');
+    const time = duration(1 / slow, voice);
     return html`
       <button type="button" class="framed icon start" title=${start} aria-label=${start} ?disabled=${!isReady} @click=${press('start')}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M2 2h2.5v12H2zM14 2v12L5.5 8z" /></svg>
@@ -51,7 +52,7 @@ export class Transport extends LitElement {
       <select class="framed" aria-label=${voice.say('clock.rate')} .value=${String(slow)} @change=${this.#chosen}>
         ${slowRates.map((rate) => this.#option(rate, voice))}
       </select>
-      <span class="scale">${voice.say('clock.scale', { time: duration(1 / slow, voice) })}</span>
+      <span class="scale"><span class="long">${voice.say('clock.scale', { time })}</span><span class="short" aria-hidden="true">1 s = ${time}</span></span>
       <button type="button" class="framed kick" title=${voice.say('clock.kick.does', { impulse: this.kickImpulse })} ?disabled=${!isReady} @click=${press('kick')}>${voice.say('clock.kick')}</button>`;
   }
 

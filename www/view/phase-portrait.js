@@ -33,8 +33,9 @@ export function drawPhasePortrait(context, size, portrait, theme, voice) {
   const x = linear([-angle, angle], [frame.left, frame.right]);
   const y = linear([-rate, rate], [frame.bottom, frame.top]);
 
-  drawGap(context, portrait.freeplay, angle, x, frame, theme, voice);
+  drawGap(context, portrait.freeplay, angle, x, frame, theme);
   drawGrid(context, portrait.limits, x, y, frame, theme, voice);
+  nameGap(context, portrait.freeplay, x, frame, theme, voice);
 
   context.save();
   context.beginPath();
@@ -64,9 +65,9 @@ function frameOf({ width, height }, theme) {
 
 /**
  * @param {CanvasRenderingContext2D} context @param {number} freeplay @param {number} angle @param {Scale} x
- * @param {Frame} frame @param {Theme} theme @param {Voice} voice
+ * @param {Frame} frame @param {Theme} theme
  */
-function drawGap(context, freeplay, angle, x, frame, theme, voice) {
+function drawGap(context, freeplay, angle, x, frame, theme) {
   if (!(freeplay > 0)) return;
   const left = x(-Math.min(freeplay, angle));
   const right = x(Math.min(freeplay, angle));
@@ -84,13 +85,27 @@ function drawGap(context, freeplay, angle, x, frame, theme, voice) {
   }
   context.stroke();
   context.setLineDash([]);
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context @param {number} freeplay @param {Scale} x @param {Frame} frame
+ * @param {Theme} theme @param {Voice} voice
+ */
+function nameGap(context, freeplay, x, frame, theme, voice) {
+  if (!(freeplay > 0)) return;
+  const [left, right] = [x(-freeplay), x(freeplay)];
   context.font = textFont(theme, 0.95, 600);
   const words = voice.say('phase.gap');
-  const isWide = context.measureText(words).width + 8 < right - left;
-  context.fillStyle = theme.freeplayText;
   context.textBaseline = 'alphabetic';
-  context.textAlign = isWide ? 'center' : 'left';
-  context.fillText(words, isWide ? (left + right) / 2 : right + 6, frame.bottom - theme.size * 0.7);
+  context.textAlign = 'center';
+  const baseline = frame.bottom - theme.size * 0.7;
+  // Words wider than the gap stand on a halo, to be read across the grid.
+  context.lineJoin = 'round';
+  context.lineWidth = 4;
+  context.strokeStyle = theme.surface;
+  if (context.measureText(words).width + 8 > right - left) context.strokeText(words, (left + right) / 2, baseline);
+  context.fillStyle = theme.freeplayText;
+  context.fillText(words, (left + right) / 2, baseline);
 }
 
 /**

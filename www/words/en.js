@@ -31,8 +31,12 @@ export const en = {
   'key.help': '?',
   'key.help.does': 'this list',
 
-  'story.title': 'First look',
-  'story.text': 'Nothing shakes this wheel but its own tire. Drag the damping up until it dies out.',
+  'story.title': 'What to try',
+  'story.shimmies': 'Nothing shakes this wheel but its own tire. Drag the damping up until it dies out.',
+  'story.dies-out': 'Damper and tread take out more than the tire brings in. Drag the damping down until it shimmies.',
+  'story.rattles': 'Inside the gap no spring holds the wheel, and there the tire swings it. Close the gap.',
+  'story.grows': 'It swings wider than this model is trusted for. Drag the damping up.',
+  'story.rests': 'Nothing moves it. Kick the wheel and see what becomes of the swing.',
 
   'stage.name': 'The gear',
   'stage.gear': 'Landing gear drawn as it is now: from above with its tire and the track on the ground, its steering head, and from the right.',

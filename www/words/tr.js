@@ -31,8 +31,12 @@ export const tr = {
   'key.help': '?',
   'key.help.does': 'bu liste',
 
-  'story.title': 'İlk bakış',
-  'story.text': 'Bu tekerleği kendi lastiğinden başka hiçbir şey sallamıyor. Sönüm sabitini, salınım sönene dek artır.',
+  'story.title': 'Denenecek şey',
+  'story.shimmies': 'Bu tekerleği kendi lastiğinden başka hiçbir şey sallamıyor. Sönümü, salınım sönene dek artır.',
+  'story.dies-out': 'Sönümleyici ve sırt, lastiğin verdiğinden çoğunu alıyor. Shimmy başlayana dek sönümü azalt.',
+  'story.rattles': 'Boşluğun içinde tekerleği hiçbir yay tutmuyor, lastik onu orada sallıyor. Boşluğu kapat.',
+  'story.grows': 'Bu modelin güvenilir olduğundan geniş salınıyor. Sönümü artır.',
+  'story.rests': 'Onu kımıldatan bir şey yok. Tekerleğe vur ve salınımın ne olacağına bak.',
 
   'stage.name': 'İniş takımı',
   'stage.gear': 'İniş takımının şu anki çizimi: üstten, lastiği ve yerdeki iziyle; dümenleme başı; sağdan.',
