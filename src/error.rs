@@ -135,10 +135,12 @@ pub fn nearest(name: &str, known: &[&'static str]) -> Option<&'static str> {
     if name.len() > 60 {
         return None;
     }
-    let wanted: Vec<char> = name.to_lowercase().chars().collect();
+    let wanted: Vec<char> = name.to_ascii_lowercase().chars().collect();
     known
         .iter()
-        .map(|&candidate| (edit_distance(&wanted, &candidate.to_lowercase().chars().collect::<Vec<_>>()), candidate))
+        .map(|&candidate| {
+            (edit_distance(&wanted, &candidate.to_ascii_lowercase().chars().collect::<Vec<_>>()), candidate)
+        })
         .filter(|(distance, candidate)| 3 * distance <= candidate.len().max(wanted.len()))
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, candidate)| candidate)

@@ -43,7 +43,7 @@ impl Controller {
     }
 
     /// Writes or reads what is remembered. False where what was read makes no sense.
-    pub fn code(&mut self, codec: &mut impl crate::live::Codec) -> bool {
+    pub fn code(&mut self, codec: &mut dyn crate::live::Codec) -> bool {
         let mut rejected = u64::from(self.rejected);
         codec.number(&mut self.error_before);
         codec.bits(&mut rejected);

@@ -541,7 +541,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
 
     /// Writes or reads every number of the motion but its system and settings, which are given. False where what was
     /// read makes no sense.
-    pub(crate) fn code(&mut self, codec: &mut impl crate::live::Codec, system: S) -> bool {
+    pub(crate) fn code(&mut self, codec: &mut dyn crate::live::Codec, system: S) -> bool {
         self.system = system;
         let (mut mode, mut from_mode, mut fresh) = (self.mode.0.into(), self.from_mode.0.into(), self.fresh.into());
         let (mut looking, mut in_place) = (self.stiff_looking.into(), self.in_place.into());

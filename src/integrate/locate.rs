@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use super::linear::Factors;
+
 /// Values of a switch that are taken along a step. Its course there is the polynomial through them: exact for a switch
 /// that is linear in the state, as the dense output is of degree 7.
 pub(super) const NODES: usize = 8;
@@ -63,11 +65,28 @@ impl Locator {
     pub fn new() -> Self {
         let last = (NODES - 1) as f64;
         let nodes: [f64; NODES] = std::array::from_fn(|i| 0.5 - 0.5 * (PI * i as f64 / last).cos());
-        let basis = nalgebra::SMatrix::<f64, NODES, NODES>::from_fn(|i, j| {
-            binomial(NODES - 1, j) * nodes[i].powi(j as i32) * (1.0 - nodes[i]).powi((NODES - 1 - j) as i32)
+        let powers = |x: f64| {
+            let mut powers = [1.0; NODES];
+            for i in 1..NODES {
+                powers[i] = powers[i - 1] * x;
+            }
+            powers
+        };
+        let basis = nodes.map(|node| {
+            let (up, down) = (powers(node), powers(1.0 - node));
+            std::array::from_fn(|j| binomial(NODES - 1, j) * up[j] * down[NODES - 1 - j])
         });
-        let inverse = basis.try_inverse().unwrap_or_else(nalgebra::SMatrix::identity);
-        Self { nodes, to_bernstein: std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])) }
+        let mut to_bernstein = [[0.0; NODES]; NODES];
+        // Distinct nodes have a regular basis.
+        if let Some(factors) = Factors::of(basis) {
+            for node in 0..NODES {
+                let column = factors.solve(&std::array::from_fn(|i| if i == node { 1.0 } else { 0.0 }));
+                for j in 0..NODES {
+                    to_bernstein[j][node] = column[j];
+                }
+            }
+        }
+        Self { nodes, to_bernstein }
     }
 
     /// The first fall through zero of `switch`, a function of θ, or `None`.

@@ -61,7 +61,7 @@ impl<M: Model<N>, const N: usize> Cursor<M, N> {
     }
 
     /// Writes or reads every number of the cursor. False where what was read makes no sense.
-    pub fn code(&mut self, codec: &mut impl Codec) -> bool {
+    pub fn code(&mut self, codec: &mut dyn Codec) -> bool {
         for value in &mut self.parameters[..M::PARAMETERS.len()] {
             codec.number(value);
         }

@@ -176,7 +176,7 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
     }
 
     fn trace(&mut self, most: f64) -> Result<Columns> {
-        let most = whole("max", most, 16)?;
+        let most = whole("max", most, 2)?;
         let mut columns = self.trace.clone();
         self.trace.clear();
         columns.thin(most);

@@ -93,13 +93,15 @@ impl Envelope {
 /// Rows of a series to keep so that at most about `most` remain and every column keeps its extremes.
 ///
 /// The series is cut into stretches; of each, the rows where any column is least or greatest stay. With fewer rows than
-/// asked for, all stay.
+/// asked for, all stay. `most` is at least 2.
 pub(super) fn rows_to_keep(columns: &[&[f64]], most: usize) -> Vec<usize> {
     let rows = columns.first().map_or(0, |column| column.len());
     if rows <= most {
         return (0..rows).collect();
     }
-    let stretches = (most / (2 * columns.len())).max(1);
+    // Two rows a column and stretch; with less room than that, the first columns count.
+    let columns = &columns[..columns.len().min(most / 2)];
+    let stretches = most / (2 * columns.len());
     let mut kept = Vec::with_capacity(most + 2);
     for stretch in 0..stretches {
         let (from, to) = (stretch * rows / stretches, (stretch + 1) * rows / stretches);
@@ -112,7 +114,6 @@ pub(super) fn rows_to_keep(columns: &[&[f64]], most: usize) -> Vec<usize> {
         kept[start..].sort_unstable();
     }
     kept.dedup();
-    kept.truncate(most.max(2 * columns.len()));
     kept
 }
 
@@ -128,6 +129,7 @@ mod tests {
         let kept = rows_to_keep(&[&wave], 200);
         assert!(kept.len() <= 200 && kept.is_sorted());
         assert!(kept.contains(&4321) && kept.contains(&8765));
+        assert_eq!(rows_to_keep(&[&wave, &wave, &wave], 3), [4321, 8765]);
     }
 
     #[test]

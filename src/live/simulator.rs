@@ -54,7 +54,7 @@ pub trait Live {
     /// # Errors
     /// Bytes that are not such a snapshot; the motion stays as it was.
     fn restore(&mut self, bytes: &[u8]) -> Result<()>;
-    /// The solver's steps since the last call, thinned to at most `most` rows (at least 16) without losing a peak.
+    /// The solver's steps since the last call, thinned to at most `most` ≥ 2 rows without losing a peak.
     ///
     /// # Errors
     /// A bad `most`.

@@ -129,7 +129,7 @@ impl Simulator {
         #[wasm_bindgen(unchecked_param_type = "number")] max: JsValue,
     ) -> std::result::Result<JsValue, JsValue> {
         self.with(|motion| {
-            let columns = motion.trace(input::number(&max, "max", "a whole number from 16 to 1e7")?)?;
+            let columns = motion.trace(input::number(&max, "max", "a whole number from 2 to 1e7")?)?;
             Ok(output::columns(motion.description().state, columns).into())
         })
     }
