@@ -220,6 +220,7 @@ export class Page extends LitElement {
       this.#seek(session.time + (what === 'on' ? this.#clock.step : -this.#clock.step));
     }
     if (what === 'start') {
+      this.notes = [];
       session.restart();
       this.#setRate();
     }

@@ -80,6 +80,8 @@ for (const [place, address] of places) {
       await type(page, 'freeplayAngle', '-1');
       assert.equal(await knob(page, 'freeplayAngle').refusal.innerText(), 'Freeplay, half gap must be 0° or more. It stays at 0.00.');
       assert.equal(await verdict(page), 'It shimmies');
+      await type(page, 'velocity', '60.50');
+      assert.equal(await number.inputValue(), '60.5', 'written as all numbers are');
       await type(page, 'velocity', '70.25');
       assert.equal(await refusal.innerText(), '');
       assert.equal(await number.inputValue(), '70.25');
@@ -226,6 +228,25 @@ test('with reduced motion it opens paused, the whole run drawn', async () => {
   });
   assert.ok(drawn > 10, `${drawn} rows of the future are drawn`);
   await leave();
+});
+
+test('while the engine is slow to come the gear is there, at rest, and says what it waits for', async () => {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const page = await context.newPage();
+  /** @type {() => void} */
+  let arrive = () => {};
+  const arrived = new Promise((done) => { arrive = () => done(undefined); });
+  await page.route('**/*.wasm', async (route) => {
+    await arrived;
+    await route.continue();
+  });
+  await page.goto(server.address, { waitUntil: 'commit' });
+  await page.locator('.verdict-message', { hasText: 'Starting the engine' }).waitFor();
+  assert.ok(new Set(await gearPixels(page)).size > 20, 'the gear is not drawn');
+  arrive();
+  await untilVerdict(page, 'It shimmies');
+  assert.equal(await page.locator('.verdict-message').count(), 0);
+  await context.close();
 });
 
 test('where WebAssembly is refused the picture stays, with the reason', async () => {

@@ -72,7 +72,6 @@ export class Knob extends LitElement {
       </div>
       <input id="${id}-slider" class="slider" type="range" min="0" max=${places} step="1"
         aria-valuetext=${quantity.write(this.value, voice)} .value=${String(quantity.placeOf(this.value) * places)}
-        style="--place: ${quantity.placeOf(this.value)}"
         @input=${this.#dragged} @change=${this.#settle} @keydown=${this.#sliderKey} />
       <p id="${id}-refusal" class="refusal" role="alert">${sentence}</p>`;
   }
@@ -86,12 +85,18 @@ export class Knob extends LitElement {
 
   /** @param {Event} event */
   #typed(event) {
+    const { quantity, voice } = this;
+    if (!quantity || !voice) return;
     const field = /** @type {HTMLInputElement} */ (event.target);
     const shown = parseNumber(field.value);
-    if (!this.quantity || !this.voice) return;
-    if (Number.isNaN(shown)) this.refusal = { code: 'not-a-number' };
-    else if (field.value !== this.quantity.number(this.value, this.voice)) this.#set(this.quantity.toSI(shown));
+    if (Number.isNaN(shown)) {
+      this.refusal = { code: 'not-a-number' };
+      return;
+    }
+    // What stands there already is no new value: writing it back would lose the digits that are not shown.
+    if (field.value !== quantity.number(this.value, voice)) this.#set(quantity.toSI(shown));
     else this.refusal = null;
+    if (!this.refusal) field.value = quantity.number(quantity.toSI(shown), voice);
   }
 
   /** @param {KeyboardEvent} event */
