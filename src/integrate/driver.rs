@@ -1,5 +1,7 @@
 //! The one driver of all schemes.
 
+use std::sync::Arc;
+
 use super::{
     controller::{Controller, power},
     dense::{COEFFICIENTS, Dense},
@@ -76,14 +78,15 @@ struct Switches {
 /// A clone goes on bit by bit as the original would.
 #[derive(Clone, Debug)]
 pub struct Integrator<S, const N: usize> {
-    system: S,
+    /// Shared by clones: keyframes are many, systems few.
+    system: Arc<S>,
     tolerance: Tolerance<N>,
     method: Method,
     scheme: Scheme,
     fixed_step: f64,
     /// No step is longer, however still the motion is.
     longest_step: f64,
-    locator: Locator,
+    locator: &'static Locator,
 
     mode: Mode,
     t: f64,
@@ -96,6 +99,7 @@ pub struct Integrator<S, const N: usize> {
     fresh: u32,
     controller: Controller,
     stiff_looking: u32,
+    going_stiff: bool,
     /// Switches in a row without a step between them.
     in_place: u32,
     stats: Stats,
@@ -129,13 +133,13 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         let t = 0.0;
         let scheme = method.scheme(tolerance.relative);
         let mut motion = Self {
-            system,
+            system: Arc::new(system),
             tolerance,
             method,
             scheme,
             fixed_step,
             longest_step,
-            locator: Locator::new(),
+            locator: Locator::get(),
             mode: Mode::default(),
             t,
             x,
@@ -144,6 +148,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             fresh: 0,
             controller: controller(scheme),
             stiff_looking: 0,
+            going_stiff: false,
             in_place: 0,
             stats: Stats::default(),
             from_t: t,
@@ -176,6 +181,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.fresh = 0;
         self.dense_ready = false;
         self.stiff_looking = 0;
+        self.going_stiff = false;
         self.scheme = self.method.scheme(self.tolerance.relative);
         self.controller = controller(self.scheme);
         self.h = if self.scheme == Scheme::RungeKutta4 { self.fixed_step } else { self.first_step() };
@@ -188,7 +194,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     /// # Errors
     /// As [`Integrator::restart`]; then the old system stays.
     pub fn replace(&mut self, system: S, t: f64, x: [f64; N]) -> Result<(), Failure> {
-        let before = std::mem::replace(&mut self.system, system);
+        let before = std::mem::replace(&mut self.system, Arc::new(system));
         self.restart(t, x).inspect_err(|_| self.system = before)
     }
 
@@ -246,11 +252,23 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.dense.at((t - self.from_t) / self.length)
     }
 
+    /// Whether the motion at time `t` within the last step, and its rate there, are finite numbers.
+    pub(crate) fn is_finite_at(&mut self, t: f64) -> bool {
+        let x = self.interpolate(t);
+        let rates = [self.system.rate(t, self.mode, &x), self.system.rate(self.t, self.mode, &self.x)];
+        x.iter().chain(rates.as_flattened()).all(|value| value.is_finite())
+    }
+
     /// Takes one step, to `end` at most, and stops at a switch on its way.
     ///
     /// # Errors
     /// A [`Failure`]; the motion stays where it was.
     pub fn step(&mut self, end: f64) -> Result<Outcome, Failure> {
+        if self.going_stiff {
+            self.going_stiff = false;
+            self.scheme = Scheme::Rodas;
+            self.controller = controller(self.scheme);
+        }
         let (h, attempt) = self.accepted_attempt(end)?;
         let landed = if h == end - self.t { end } else { self.t + h };
         (self.from_t, self.from_x, self.from_mode, self.length) = (self.t, self.x, self.mode, h);
@@ -312,7 +330,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     /// Tries a step of length `h`: its end and its error in units of the tolerance.
     #[inline(always)]
     fn attempt(&mut self, h: f64) -> (Attempt<N>, f64) {
-        let (system, k) = (&self.system, &mut self.k);
+        let (system, k) = (&*self.system, &mut self.k);
         let attempt = match self.scheme {
             Scheme::DormandPrince => {
                 self.stats.evaluations += 6;
@@ -397,7 +415,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             Scheme::DormandPrince => dormand_prince::dense(x0, x1, h, &self.k),
             Scheme::Dop853 => {
                 self.stats.evaluations += 3;
-                dop853::dense(&self.system, self.from_mode, self.from_t, (x0, x1), h, &mut self.k)
+                dop853::dense(&*self.system, self.from_mode, self.from_t, (x0, x1), h, &mut self.k)
             }
             Scheme::RungeKutta4 => runge_kutta4::dense(x0, x1, &self.f, h, &self.k),
             Scheme::Rodas => rodas::dense(x0, x1, &self.k),
@@ -532,25 +550,30 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         if self.stiff_looking == STIFF_IN_A_ROW {
             self.stats.stiff = true;
             self.stiff_looking = 0;
-            if self.method == Method::Auto {
-                self.scheme = Scheme::Rodas;
-                self.controller = controller(self.scheme);
-            }
+            // From the next step on: the dense output of this one still reads its stages.
+            self.going_stiff = self.method == Method::Auto;
         }
     }
 
     /// Writes or reads every number of the motion but its system and settings, which are given. False where what was
     /// read makes no sense.
     pub(crate) fn code(&mut self, codec: &mut dyn crate::live::Codec, system: S) -> bool {
-        self.system = system;
+        self.system = Arc::new(system);
         let (mut mode, mut from_mode, mut fresh) = (self.mode.0.into(), self.from_mode.0.into(), self.fresh.into());
         let (mut looking, mut in_place) = (self.stiff_looking.into(), self.in_place.into());
         let mut scheme = SCHEMES.iter().position(|scheme| *scheme == self.scheme).unwrap_or(0) as u64;
-        let mut stiff = u64::from(self.stats.stiff);
+        let (mut stiff, mut going) = (u64::from(self.stats.stiff), u64::from(self.going_stiff));
         let Stats { steps, rejected, evaluations, events, .. } = &mut self.stats;
-        let counts = [&mut mode, &mut from_mode, &mut fresh, &mut looking, &mut in_place, &mut scheme, &mut stiff];
-        for bits in counts.into_iter().chain([steps, rejected, evaluations, events]) {
+        let flags =
+            [&mut mode, &mut from_mode, &mut fresh, &mut looking, &mut in_place, &mut scheme, &mut stiff, &mut going];
+        let mut sound = true;
+        for bits in flags {
             codec.bits(bits);
+            sound &= *bits <= u64::from(u32::MAX >> 1);
+        }
+        for count in [steps, rejected, evaluations, events] {
+            codec.bits(count);
+            sound &= *count < 1 << 53;
         }
         for number in [&mut self.t, &mut self.h, &mut self.from_t, &mut self.length] {
             codec.number(number);
@@ -562,9 +585,10 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         let Some(scheme) = SCHEMES.get(scheme as usize) else { return false };
         self.scheme = *scheme;
         self.controller = controller(*scheme);
-        let sound = self.controller.code(codec);
+        sound &= self.controller.code(codec);
         (self.mode, self.from_mode, self.fresh) = (Mode(mode as u32), Mode(from_mode as u32), fresh as u32);
         (self.stiff_looking, self.in_place, self.stats.stiff) = (looking as u32, in_place as u32, stiff != 0);
+        self.going_stiff = going != 0;
         self.dense_ready = false;
         self.look_at_switches();
         sound && self.h > 0.0 && self.length >= 0.0

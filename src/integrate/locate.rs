@@ -1,6 +1,6 @@
 //! Where a switch falls through zero within a step.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, sync::LazyLock};
 
 use super::linear::Factors;
 
@@ -61,8 +61,14 @@ pub(super) struct Locator {
 }
 
 impl Locator {
-    /// Prepares the nodes and the change of basis: once a run.
-    pub fn new() -> Self {
+    /// The one there is.
+    pub fn get() -> &'static Self {
+        static LOCATOR: LazyLock<Locator> = LazyLock::new(Locator::new);
+        &LOCATOR
+    }
+
+    /// Prepares the nodes and the change of basis.
+    fn new() -> Self {
         let last = (NODES - 1) as f64;
         let nodes: [f64; NODES] = std::array::from_fn(|i| 0.5 - 0.5 * (PI * i as f64 / last).cos());
         let powers = |x: f64| {
@@ -217,7 +223,7 @@ mod tests {
     use super::*;
 
     fn first(fresh: bool, switch: impl Fn(f64) -> f64) -> Option<f64> {
-        Locator::new().first(fresh, switch)
+        Locator::get().first(fresh, switch)
     }
 
     #[test]

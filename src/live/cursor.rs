@@ -65,9 +65,6 @@ impl<M: Model<N>, const N: usize> Cursor<M, N> {
         for value in &mut self.parameters[..M::PARAMETERS.len()] {
             codec.number(value);
         }
-        let mut applied = self.applied as u64;
-        codec.bits(&mut applied);
-        self.applied = applied as usize;
         if !M::PARAMETERS.iter().zip(&self.parameters).all(|(parameter, value)| parameter.check(*value).is_ok()) {
             return false;
         }

@@ -23,9 +23,9 @@ pub(super) struct Journal {
 }
 
 impl Journal {
-    /// An empty journal that starts after `forgotten` changes.
-    pub fn after(forgotten: usize) -> Self {
-        Self { changes: VecDeque::with_capacity(CHANGES), forgotten }
+    /// An empty journal.
+    pub fn new() -> Self {
+        Self { changes: VecDeque::with_capacity(CHANGES), forgotten: 0 }
     }
 
     /// Writes down the change with which `cursor` goes on at time `t`; what had been written after it is struck out.

@@ -39,7 +39,7 @@ impl<M: Model<N>, const N: usize> Motion<M, N> {
         let mut trace = Columns::with_capacity(N, TRACE);
         trace.push(0.0, present.integrator.state());
         let keyframes = Keyframes::from(present.clone());
-        Ok(Self { posed, present, time: 0.0, latest: 0.0, keyframes, journal: Journal::after(0), trace })
+        Ok(Self { posed, present, time: 0.0, latest: 0.0, keyframes, journal: Journal::new(), trace })
     }
 
     /// Makes a change now.
@@ -169,7 +169,7 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
     fn restore(&mut self, bytes: &[u8]) -> Result<()> {
         let (present, time) = snapshot::read(bytes, &self.present)?;
         self.keyframes = Keyframes::from(present.clone());
-        self.journal = Journal::after(present.applied);
+        self.journal = Journal::new();
         self.trace.clear();
         (self.present, self.time, self.latest) = (present, time, time);
         Ok(())

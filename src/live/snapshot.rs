@@ -84,8 +84,11 @@ pub(super) fn read<M: Model<N>, const N: usize>(bytes: &[u8], like: &Cursor<M, N
     reader.number(&mut time);
     let mut cursor = like.clone();
     let sound = cursor.code(&mut reader);
+    // A snapshot has no past: changes are counted from here.
+    cursor.applied = 0;
     let within = (cursor.integrator.step_start()..=cursor.integrator.time()).contains(&time);
-    if !(sound && reader.whole && reader.rest.is_empty() && within) {
+    let alive = sound && cursor.integrator.is_finite_at(time);
+    if !(alive && reader.whole && reader.rest.is_empty() && within) {
         return Err(refused("damaged bytes"));
     }
     Ok((cursor, time))
