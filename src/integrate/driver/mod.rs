@@ -1,20 +1,23 @@
 //! The one driver of all schemes.
 
+mod reading;
+mod saved;
+mod stiffness;
+mod switching;
+
 use std::sync::Arc;
 
+use self::{stiffness::STIFF_INTERVAL, switching::Switches};
 use super::{
     controller::{Controller, power},
     dense::{COEFFICIENTS, Dense},
     dop853, dormand_prince,
-    locate::{Ends, Locator, bracketed},
+    locate::Locator,
     method::{Method, Scheme},
     rodas, runge_kutta4,
     stages::{Attempt, MOST, Stages},
 };
-use crate::{
-    model::{Mode, System},
-    real::Dual,
-};
+use crate::model::{Mode, System};
 
 /// What a step may be wrong by: rtol·|x| + atol in each component, as a root mean square.
 #[derive(Clone, Copy, Debug)]
@@ -56,21 +59,6 @@ pub enum Failure {
     Diverged,
     /// The step fell below what the time can resolve.
     StepTooSmall,
-}
-
-/// Most switches of a system: a bit each, and room for their values.
-const MOST_SWITCHES: usize = 8;
-
-/// Explicit steps in a row that must look stiff before a run counts as such, and how often one looks.
-const STIFF_IN_A_ROW: u32 = 15;
-const STIFF_INTERVAL: u64 = 25;
-
-/// Values and slopes of the switches at one moment, and a bit for each that applies in its mode.
-#[derive(Clone, Copy, Debug, Default)]
-struct Switches {
-    active: u32,
-    value: [f64; MOST_SWITCHES],
-    slope: [f64; MOST_SWITCHES],
 }
 
 /// A motion of a system: where it is, the step that led there, and what is needed to go on.
@@ -240,25 +228,6 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.scheme
     }
 
-    /// The state at time `t` within the last step, by its dense output.
-    pub fn interpolate(&mut self, t: f64) -> [f64; N] {
-        if t >= self.t || self.length == 0.0 {
-            return self.x;
-        }
-        if t <= self.from_t {
-            return self.from_x;
-        }
-        self.prepare_dense();
-        self.dense.at((t - self.from_t) / self.length)
-    }
-
-    /// Whether the motion at time `t` within the last step, and its rate there, are finite numbers.
-    pub(crate) fn is_finite_at(&mut self, t: f64) -> bool {
-        let x = self.interpolate(t);
-        let rates = [self.system.rate(t, self.mode, &x), self.system.rate(self.t, self.mode, &self.x)];
-        x.iter().chain(rates.as_flattened()).all(|value| value.is_finite())
-    }
-
     /// Takes one step, to `end` at most, and stops at a switch on its way.
     ///
     /// # Errors
@@ -381,219 +350,6 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         rate
     }
 
-    /// The turning point of `component` within the last step: its time and value, where its rate changes sign.
-    pub fn turning_point(&mut self, component: usize) -> Option<(f64, f64)> {
-        if self.start_rate[component] * self.f[component] >= 0.0 || self.length == 0.0 {
-            return None;
-        }
-        self.prepare_dense();
-        let rising = self.start_rate[component] > 0.0;
-        let slope = |theta: f64| self.dense.slope(theta, component) * if rising { 1.0 } else { -1.0 };
-        if slope(0.0) <= 0.0 || slope(1.0) >= 0.0 {
-            return None;
-        }
-        let theta = bracketed(0.0, 1.0, &slope);
-        Some((self.from_t + theta * self.length, self.dense.at(theta)[component]))
-    }
-
-    /// The time at which `component` rises through 0 within the last step.
-    pub fn rise_through_zero(&mut self, component: usize) -> Option<f64> {
-        if !(self.from_x[component] < 0.0 && self.x[component] >= 0.0) {
-            return None;
-        }
-        self.prepare_dense();
-        let below = |theta: f64| -self.dense.at(theta)[component];
-        Some(self.from_t + bracketed(0.0, 1.0, &below) * self.length)
-    }
-
-    fn prepare_dense(&mut self) {
-        if self.dense_ready {
-            return;
-        }
-        let (x0, x1, h) = (&self.from_x, &self.x, self.length);
-        self.dense = match self.scheme {
-            Scheme::DormandPrince => dormand_prince::dense(x0, x1, h, &self.k),
-            Scheme::Dop853 => {
-                self.stats.evaluations += 3;
-                dop853::dense(&*self.system, self.from_mode, self.from_t, (x0, x1), h, &mut self.k)
-            }
-            Scheme::RungeKutta4 => runge_kutta4::dense(x0, x1, &self.f, h, &self.k),
-            Scheme::Rodas => rodas::dense(x0, x1, &self.k),
-        };
-        self.dense_ready = true;
-    }
-
-    /// The first switch within the step just taken, and where.
-    #[inline(always)]
-    fn first_switch(&mut self, h: f64) -> Option<(usize, f64)> {
-        let (fresh, start) = (self.fresh, self.switches);
-        self.look_at_switches();
-        let (mut suspects, mut certain) = (0_u32, 0_u32);
-        for which in 0..S::SWITCHES {
-            if start.active >> which & 1 == 0 {
-                continue;
-            }
-            let ends = Ends {
-                start: start.value[which],
-                start_slope: h * start.slope[which],
-                end: self.switches.value[which],
-                end_slope: h * self.switches.slope[which],
-            };
-            if ends.end > 0.0 {
-                self.fresh &= !(1 << which);
-            }
-            let fresh = fresh >> which & 1 == 1;
-            if !ends.stays_positive(fresh) {
-                suspects |= 1 << which;
-                certain |= u32::from(ends.falls_once(fresh)) << which;
-            }
-        }
-        if suspects == 0 { None } else { self.locate(suspects, certain, fresh) }
-    }
-
-    /// Values and slopes of the switches at the end of the last step, where the next one starts.
-    #[inline(always)]
-    fn look_at_switches(&mut self) {
-        const { assert!(S::SWITCHES <= MOST_SWITCHES) };
-        let along: [Dual<1>; N] = std::array::from_fn(|i| Dual { value: self.x[i], slope: [self.f[i]] });
-        self.switches.active = 0;
-        for which in 0..S::SWITCHES {
-            if let Some(value) = self.system.switch(which, Dual::variable(self.t, 0), self.mode, &along) {
-                self.switches.active |= 1 << which;
-                self.switches.value[which] = value.value;
-                self.switches.slope[which] = value.slope[0];
-            }
-        }
-    }
-
-    /// The first of the suspected switches on the dense output, and the θ where it falls; of the certain ones it is
-    /// known that they fall once.
-    #[inline(never)]
-    fn locate(&mut self, suspects: u32, certain: u32, fresh: u32) -> Option<(usize, f64)> {
-        self.prepare_dense();
-        let mut first: Option<(usize, f64)> = None;
-        for which in (0..S::SWITCHES).filter(|which| suspects >> which & 1 == 1) {
-            let value = |theta: f64| {
-                let t = self.from_t + theta * self.length;
-                self.system.switch(which, t, self.mode, &self.dense.at(theta)).unwrap_or(1.0)
-            };
-            let fall = if certain >> which & 1 == 1 {
-                Some(bracketed(0.0, 1.0, &value))
-            } else {
-                self.locator.first(fresh >> which & 1 == 1, value)
-            };
-            if let Some(theta) = fall
-                && first.is_none_or(|(_, earliest)| theta < earliest)
-            {
-                first = Some((which, theta));
-            }
-        }
-        if first.is_some() {
-            // The step is cut at the switch: what was fresh at its start may still be.
-            self.fresh = fresh;
-        }
-        first
-    }
-
-    /// Takes the step again up to the switch, with the full order of the scheme, and changes the mode there.
-    #[inline(never)]
-    fn stop_at(&mut self, which: usize, theta: f64) -> Result<Outcome, Failure> {
-        let h = theta * self.length;
-        self.k[0] = self.start_rate;
-        (self.t, self.x) = (self.from_t, self.from_x);
-        if self.t + h > self.t {
-            let (attempt, _) = self.attempt(h);
-            (self.t, self.x, self.length) = (self.t + h, attempt.end, h);
-            self.in_place = 0;
-        } else {
-            self.length = 0.0;
-            self.in_place += 1;
-        }
-        if !self.x.iter().all(|x| x.is_finite()) || self.in_place > 4 * S::SWITCHES as u32 {
-            return Err(Failure::StepTooSmall);
-        }
-        self.end_rate(self.t, &self.x.clone());
-        self.dense_ready = false;
-        self.stats.events += 1;
-        self.mode = self.system.cross(which, self.mode);
-        self.f = self.system.rate(self.t, self.mode, &self.x);
-        self.stats.evaluations += 1;
-        self.look_at_switches();
-        for other in 0..S::SWITCHES {
-            if self.switches.active >> other & 1 == 0 || self.switches.value[other] > 0.0 {
-                self.fresh &= !(1 << other);
-            }
-        }
-        self.fresh |= 1 << which;
-        Ok(Outcome::Switch(which))
-    }
-
-    /// Hairer's test: the quotient of differences of the last two stages estimates the largest eigenvalue; a step that
-    /// sits at the edge of the stability region again and again is held there by stiffness.
-    #[inline(never)]
-    fn look_for_stiffness(&mut self, h: f64, attempt: &Attempt<N>, end_rate: &[f64; N]) {
-        let (stage_rate, edge) = match self.scheme {
-            Scheme::DormandPrince => (&self.k[5], 3.25),
-            Scheme::Dop853 => (&self.k[11], 6.1),
-            Scheme::RungeKutta4 | Scheme::Rodas => return,
-        };
-        let (mut rates, mut states) = (0.0, 0.0);
-        for i in 0..N {
-            rates += ((end_rate[i] - stage_rate[i]) / self.tolerance.absolute[i]).powi(2);
-            states += ((attempt.end[i] - attempt.last_stage[i]) / self.tolerance.absolute[i]).powi(2);
-        }
-        if states > 0.0 && h * (rates / states).sqrt() > edge {
-            self.stiff_looking += 1;
-        } else {
-            self.stiff_looking = 0;
-        }
-        if self.stiff_looking == STIFF_IN_A_ROW {
-            self.stats.stiff = true;
-            self.stiff_looking = 0;
-            // From the next step on: the dense output of this one still reads its stages.
-            self.going_stiff = self.method == Method::Auto;
-        }
-    }
-
-    /// Writes or reads every number of the motion but its system and settings, which are given. False where what was
-    /// read makes no sense.
-    pub(crate) fn code(&mut self, codec: &mut dyn crate::live::Codec, system: S) -> bool {
-        self.system = Arc::new(system);
-        let (mut mode, mut from_mode, mut fresh) = (self.mode.0.into(), self.from_mode.0.into(), self.fresh.into());
-        let (mut looking, mut in_place) = (self.stiff_looking.into(), self.in_place.into());
-        let mut scheme = SCHEMES.iter().position(|scheme| *scheme == self.scheme).unwrap_or(0) as u64;
-        let (mut stiff, mut going) = (u64::from(self.stats.stiff), u64::from(self.going_stiff));
-        let Stats { steps, rejected, evaluations, events, .. } = &mut self.stats;
-        let flags =
-            [&mut mode, &mut from_mode, &mut fresh, &mut looking, &mut in_place, &mut scheme, &mut stiff, &mut going];
-        let mut sound = true;
-        for bits in flags {
-            codec.bits(bits);
-            sound &= *bits <= u64::from(u32::MAX >> 1);
-        }
-        for count in [steps, rejected, evaluations, events] {
-            codec.bits(count);
-            sound &= *count < 1 << 53;
-        }
-        for number in [&mut self.t, &mut self.h, &mut self.from_t, &mut self.length] {
-            codec.number(number);
-        }
-        let vectors = [&mut self.x, &mut self.from_x, &mut self.f, &mut self.start_rate];
-        for number in vectors.into_iter().chain(&mut self.k).flatten() {
-            codec.number(number);
-        }
-        let Some(scheme) = SCHEMES.get(scheme as usize) else { return false };
-        self.scheme = *scheme;
-        self.controller = controller(*scheme);
-        sound &= self.controller.code(codec);
-        (self.mode, self.from_mode, self.fresh) = (Mode(mode as u32), Mode(from_mode as u32), fresh as u32);
-        (self.stiff_looking, self.in_place, self.stats.stiff) = (looking as u32, in_place as u32, stiff != 0);
-        self.going_stiff = going != 0;
-        self.dense_ready = false;
-        self.look_at_switches();
-        sound && self.h > 0.0 && self.length >= 0.0
-    }
-
     /// Length of the fixed step that leads to the next point of its grid, kept through switches.
     fn to_grid(&self) -> f64 {
         let done = (self.t / self.fixed_step + 1e-6).floor();
@@ -628,9 +384,6 @@ fn root_mean_square<const N: usize>(values: &[f64; N], scale: &[f64; N]) -> f64 
 fn order(scheme: Scheme) -> f64 {
     if scheme == Scheme::Dop853 { 8.0 } else { 5.0 }
 }
-
-/// The schemes by the numbers that snapshots know them by.
-const SCHEMES: [Scheme; 4] = [Scheme::DormandPrince, Scheme::Dop853, Scheme::RungeKutta4, Scheme::Rodas];
 
 fn controller(scheme: Scheme) -> Controller {
     match scheme {

@@ -1,0 +1,70 @@
+//! Looking into the last step: values, turning points, rises.
+
+use super::{
+    super::{dop853, dormand_prince, locate::bracketed, method::Scheme, rodas, runge_kutta4},
+    Integrator,
+};
+use crate::model::System;
+
+impl<S: System<N>, const N: usize> Integrator<S, N> {
+    /// The state at time `t` within the last step, by its dense output.
+    pub fn interpolate(&mut self, t: f64) -> [f64; N] {
+        if t >= self.t || self.length == 0.0 {
+            return self.x;
+        }
+        if t <= self.from_t {
+            return self.from_x;
+        }
+        self.prepare_dense();
+        self.dense.at((t - self.from_t) / self.length)
+    }
+
+    /// Whether the motion at time `t` within the last step, and its rate there, are finite numbers.
+    pub(crate) fn is_finite_at(&mut self, t: f64) -> bool {
+        let x = self.interpolate(t);
+        let rates = [self.system.rate(t, self.mode, &x), self.system.rate(self.t, self.mode, &self.x)];
+        x.iter().chain(rates.as_flattened()).all(|value| value.is_finite())
+    }
+
+    /// The turning point of `component` within the last step: its time and value, where its rate changes sign.
+    pub fn turning_point(&mut self, component: usize) -> Option<(f64, f64)> {
+        if self.start_rate[component] * self.f[component] >= 0.0 || self.length == 0.0 {
+            return None;
+        }
+        self.prepare_dense();
+        let rising = self.start_rate[component] > 0.0;
+        let slope = |theta: f64| self.dense.slope(theta, component) * if rising { 1.0 } else { -1.0 };
+        if slope(0.0) <= 0.0 || slope(1.0) >= 0.0 {
+            return None;
+        }
+        let theta = bracketed(0.0, 1.0, &slope);
+        Some((self.from_t + theta * self.length, self.dense.at(theta)[component]))
+    }
+
+    /// The time at which `component` rises through 0 within the last step.
+    pub fn rise_through_zero(&mut self, component: usize) -> Option<f64> {
+        if !(self.from_x[component] < 0.0 && self.x[component] >= 0.0) {
+            return None;
+        }
+        self.prepare_dense();
+        let below = |theta: f64| -self.dense.at(theta)[component];
+        Some(self.from_t + bracketed(0.0, 1.0, &below) * self.length)
+    }
+
+    pub(super) fn prepare_dense(&mut self) {
+        if self.dense_ready {
+            return;
+        }
+        let (x0, x1, h) = (&self.from_x, &self.x, self.length);
+        self.dense = match self.scheme {
+            Scheme::DormandPrince => dormand_prince::dense(x0, x1, h, &self.k),
+            Scheme::Dop853 => {
+                self.stats.evaluations += 3;
+                dop853::dense(&*self.system, self.from_mode, self.from_t, (x0, x1), h, &mut self.k)
+            }
+            Scheme::RungeKutta4 => runge_kutta4::dense(x0, x1, &self.f, h, &self.k),
+            Scheme::Rodas => rodas::dense(x0, x1, &self.k),
+        };
+        self.dense_ready = true;
+    }
+}

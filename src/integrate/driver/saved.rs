@@ -1,0 +1,50 @@
+//! Every number of a motion, in order: for snapshots.
+
+use std::sync::Arc;
+
+use super::{super::method::Scheme, Integrator, Stats, controller};
+use crate::model::{Mode, System};
+
+/// The schemes by the numbers that snapshots know them by.
+const SCHEMES: [Scheme; 4] = [Scheme::DormandPrince, Scheme::Dop853, Scheme::RungeKutta4, Scheme::Rodas];
+
+impl<S: System<N>, const N: usize> Integrator<S, N> {
+    /// Writes or reads every number of the motion but its system and settings, which are given. False where what was
+    /// read makes no sense.
+    pub(crate) fn code(&mut self, codec: &mut dyn crate::live::Codec, system: S) -> bool {
+        self.system = Arc::new(system);
+        let (mut mode, mut from_mode, mut fresh) = (self.mode.0.into(), self.from_mode.0.into(), self.fresh.into());
+        let (mut looking, mut in_place) = (self.stiff_looking.into(), self.in_place.into());
+        let mut scheme = SCHEMES.iter().position(|scheme| *scheme == self.scheme).unwrap_or(0) as u64;
+        let (mut stiff, mut going) = (u64::from(self.stats.stiff), u64::from(self.going_stiff));
+        let Stats { steps, rejected, evaluations, events, .. } = &mut self.stats;
+        let flags =
+            [&mut mode, &mut from_mode, &mut fresh, &mut looking, &mut in_place, &mut scheme, &mut stiff, &mut going];
+        let mut sound = true;
+        for bits in flags {
+            codec.bits(bits);
+            sound &= *bits <= u64::from(u32::MAX >> 1);
+        }
+        for count in [steps, rejected, evaluations, events] {
+            codec.bits(count);
+            sound &= *count < 1 << 53;
+        }
+        for number in [&mut self.t, &mut self.h, &mut self.from_t, &mut self.length] {
+            codec.number(number);
+        }
+        let vectors = [&mut self.x, &mut self.from_x, &mut self.f, &mut self.start_rate];
+        for number in vectors.into_iter().chain(&mut self.k).flatten() {
+            codec.number(number);
+        }
+        let Some(scheme) = SCHEMES.get(scheme as usize) else { return false };
+        self.scheme = *scheme;
+        self.controller = controller(*scheme);
+        sound &= self.controller.code(codec);
+        (self.mode, self.from_mode, self.fresh) = (Mode(mode as u32), Mode(from_mode as u32), fresh as u32);
+        (self.stiff_looking, self.in_place, self.stats.stiff) = (looking as u32, in_place as u32, stiff != 0);
+        self.going_stiff = going != 0;
+        self.dense_ready = false;
+        self.look_at_switches();
+        sound && self.h > 0.0 && self.length >= 0.0
+    }
+}
