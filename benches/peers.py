@@ -72,7 +72,7 @@ def with_scipy():
         import scipy
         from scipy.integrate import ode, solve_ivp
     except ImportError:
-        print(json.dumps({"missing": "SciPy"}))
+        print(json.dumps({"missing": "SciPy, in the Python that SHIMMY_PYTHON names or python3,"}))
         return
 
     def ivp(method):

@@ -1,5 +1,5 @@
 // Our time on one run beside that of others, all at the same error and measured in the same minute; nothing is asserted.
-// `--quick` leaves out what takes long: the second native build, the slow Python solvers, the table of methods.
+// `--quick` leaves out what takes long: the other crates and their build, the slow Python solvers, the table of methods.
 
 import { existsSync, readFileSync } from 'node:fs';
 import { cpus } from 'node:os';
@@ -17,6 +17,10 @@ import * as report from '../benches/javascript/report.js';
 
 const BENCHES = join(ROOT, 'benches');
 const NATIVE = join(BENCHES, 'native');
+/** Without the other crates; and for the processor that is here, beside the flags of .cargo/config.toml. */
+const ALONE = ['--no-default-features'];
+const THIS_CPU = ['--config', 'build.rustflags=["-Ctarget-cpu=native"]'];
+
 const quick = process.argv.includes('--quick');
 
 /**
@@ -58,7 +62,7 @@ function installPeers(env) {
 /** The Python that has SciPy may be in a virtual environment: SHIMMY_PYTHON names it. @param {NodeJS.ProcessEnv} env */
 function python(env) {
   const program = whereIs(process.env.SHIMMY_PYTHON ?? 'python3', env);
-  return program ? measure(program, [join(BENCHES, 'peers.py')], env) : [{ missing: 'Python 3' }];
+  return program ? measure(program, [join(BENCHES, 'peers.py')], env) : [{ missing: 'Python 3 (SHIMMY_PYTHON names one)' }];
 }
 
 function main() {
@@ -72,8 +76,8 @@ function main() {
   const lines = [
     ...node('in-node.js'),
     ...node('in-chromium.js'),
-    ...native(tools.native, 'plain'),
-    ...(quick ? [] : native(tools.native, 'this-cpu', '--no-default-features', '--config', 'build.rustflags=["-Ctarget-cpu=native"]')),
+    ...(quick ? native(tools.native, 'quick', ...ALONE) : native(tools.native, 'plain')),
+    ...(quick ? [] : native(tools.native, 'this-cpu', ...ALONE, ...THIS_CPU)),
     ...node('peers.js'),
     ...python(tools.native),
   ];

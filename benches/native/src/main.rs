@@ -13,8 +13,9 @@ use serde_json::json;
 
 fn main() {
     let case = Case::read();
-    let place = if cfg!(feature = "peers") { "shimmy, native (plain flags)" } else { "shimmy, native (this CPU)" };
-    println!("{}", json!({ "flags": env!("BUILD_FLAGS") }));
+    let flags = env!("BUILD_FLAGS");
+    let place = if flags.contains("target-cpu") { "shimmy, native (this CPU)" } else { "shimmy, native (plain flags)" };
+    println!("{}", json!({ "flags": flags }));
     println!("{}", contest::enter(&case, place, |tolerance| ours::solve(&case, "auto", tolerance)));
     #[cfg(feature = "peers")]
     {
