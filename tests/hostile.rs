@@ -27,7 +27,7 @@ const RUN_KEYS: [&str; 14] = [
     "__proto__",
 ];
 
-const NESTED_KEYS: [&str; 20] = [
+const PARAMETERS: [&str; 11] = [
     "velocity",
     "casterLength",
     "halfContactLength",
@@ -38,17 +38,15 @@ const NESTED_KEYS: [&str; 20] = [
     "verticalForce",
     "sideForceDerivative",
     "aligningMomentDerivative",
-    "sideForceLimitAngle",
-    "aligningMomentLimitAngle",
     "treadWidthMomentConstant",
-    "freeplayAngle",
-    "torsionAngle",
-    "torsionRate",
-    "lateralDeformation",
-    "velocty",
-    "",
-    "🛬",
 ];
+
+/// Those of the nonlinear model only.
+const LIMITS: [&str; 3] = ["sideForceLimitAngle", "aligningMomentLimitAngle", "freeplayAngle"];
+
+const STATES: [&str; 3] = ["torsionAngle", "torsionRate", "lateralDeformation"];
+
+const STRANGERS: [&str; 7] = ["velocity", "torsionAngle", "velocty", "", "🛬", "__proto__", "damper.command"];
 
 /// Numbers at the ends of what a double can say, those just past a limit, and any other bits.
 fn number() -> impl Strategy<Value = f64> {
@@ -109,7 +107,7 @@ fn value() -> impl Strategy<Value = Value> {
     leaf.prop_recursive(4, 24, 4, |inner| {
         prop_oneof![
             any::<usize>().prop_map(Value::List),
-            prop::collection::vec((key(&NESTED_KEYS), inner), 0..4).prop_map(Value::Record),
+            prop::collection::vec((key(&STRANGERS), inner), 0..4).prop_map(Value::Record),
         ]
     })
 }
@@ -118,27 +116,45 @@ fn key(known: &[&'static str]) -> impl Strategy<Value = String> + use<> {
     prop::sample::select(known.to_vec()).prop_map(str::to_owned)
 }
 
-/// A record that looks like a run, with anything as its values; the last keys keep it short.
+/// A number as a live motion may be given it, or any other.
+fn amount() -> impl Strategy<Value = f64> {
+    prop_oneof![2 => 0.0..0.02_f64, 1 => number()]
+}
+
+/// A name of a parameter or a state, or any other.
+fn name() -> impl Strategy<Value = String> {
+    key(&[PARAMETERS.as_slice(), &LIMITS, &STATES, &STRANGERS].concat())
+}
+
+/// Mostly a number as a gear may have it.
+fn plausible() -> impl Strategy<Value = Value> {
+    prop_oneof![12 => 1e-3..100.0_f64, 2 => -1.0..1.0_f64, 1 => number()].prop_map(Value::Number)
+}
+
+fn record(known: &[&'static str]) -> impl Strategy<Value = Value> + use<> {
+    prop::collection::vec((key(known), plausible()), 0..5).prop_map(Value::Record)
+}
+
+/// A record that looks like a run, half of the time with something in it that does not belong there; the last key keeps
+/// it short.
 fn run_like() -> impl Strategy<Value = Value> {
-    let numbers =
-        || prop::collection::vec((key(&NESTED_KEYS), number().prop_map(Value::Number)), 0..4).prop_map(Value::Record);
-    let model = prop::sample::select(vec!["torsional", "torsional-linear"]);
+    let nonlinear = [PARAMETERS.as_slice(), &LIMITS].concat();
+    let model = prop_oneof![(Just("torsional"), record(&nonlinear)), (Just("torsional-linear"), record(&PARAMETERS)),];
     let method = prop::sample::select(vec!["auto", "dormand-prince", "dop853", "rk4", "rodas"]);
-    (model, method, numbers(), numbers(), prop::collection::vec((key(&RUN_KEYS), value()), 0..3)).prop_map(
-        |(model, method, parameters, initial, damage)| {
-            let named = |key: &str, value| (key.to_owned(), value);
-            let mut entries = vec![
-                named("model", Value::Text(model.into())),
-                named("method", Value::Text(method.into())),
-                named("parameters", parameters),
-                named("initial", initial),
-                named("duration", Value::Number(0.01)),
-            ];
-            entries.extend(damage.into_iter().filter(|(key, value)| !is_large(key, value)));
-            entries.push(named("maxSteps", Value::Number(STEPS)));
-            Value::Record(entries)
-        },
-    )
+    let damage = prop_oneof![Just(vec![]), prop::collection::vec((key(&RUN_KEYS), value()), 1..3)];
+    (model, method, record(&STATES), damage).prop_map(|((model, parameters), method, initial, damage)| {
+        let named = |key: &str, value| (key.to_owned(), value);
+        let mut entries = vec![
+            named("model", Value::Text(model.into())),
+            named("method", Value::Text(method.into())),
+            named("parameters", parameters),
+            named("initial", initial),
+            named("duration", Value::Number(0.01)),
+        ];
+        entries.extend(damage.into_iter().filter(|(key, value)| !is_large(key, value)));
+        entries.push(named("maxSteps", Value::Number(STEPS)));
+        Value::Record(entries)
+    })
 }
 
 /// A number of samples that is allowed, and takes a while.
@@ -205,7 +221,7 @@ proptest! {
     #[test]
     fn a_live_motion_survives_every_argument(
         input in run_like(),
-        moves in prop::collection::vec((0_usize..9, number(), number(), number(), key(&NESTED_KEYS)), 1..10),
+        moves in prop::collection::vec((0_usize..9, amount(), amount(), amount(), name()), 1..10),
     ) {
         let Ok(mut live) = Run::read(&input).and_then(|run| run.live()) else { return Ok(()) };
         for (which, a, b, c, name) in moves {
