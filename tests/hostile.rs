@@ -4,6 +4,7 @@
 use proptest::prelude::*;
 use shimmy::{
     Error, Run,
+    live::Simulator,
     run::{MOST_SAMPLES, Value},
 };
 
@@ -248,8 +249,7 @@ proptest! {
     fn damaged_snapshots_are_refused_and_change_nothing(
         byte in any::<prop::sample::Index>(), bit in 0_u8..8, kept in any::<prop::sample::Index>(),
     ) {
-        let mut live = Run::of("torsional").unwrap().starting("torsionAngle", 0.1).unwrap().live().unwrap();
-        live.advance(0.01).unwrap();
+        let mut live = moving();
         let whole = live.snapshot();
         let state = live.state();
         let mut flipped = whole.clone();
@@ -262,36 +262,67 @@ proptest! {
         prop_assert_eq!(live.state(), state);
     }
 
-    /// A checksum is no proof of good will: with the right one behind them, other bytes must still do no harm.
     #[test]
     fn forged_snapshots_do_no_harm(
         word in any::<prop::sample::Index>(),
-        forged in prop_oneof![number().prop_map(f64::to_bits), any::<u64>(), 0_u64..8],
+        bits in prop_oneof![number().prop_map(f64::to_bits), any::<u64>(), 0_u64..8],
     ) {
-        let mut live = Run::of("torsional").unwrap().starting("torsionAngle", 0.1).unwrap().live().unwrap();
-        live.advance(0.1).unwrap();
-        let mut bytes = live.snapshot();
-        let body = bytes.len() - 8;
-        let at = 8 * word.index(body / 8);
-        bytes[at..at + 8].copy_from_slice(&forged.to_le_bytes());
-        let sum = bytes[..body].iter().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-            (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
-        });
-        bytes[body..].copy_from_slice(&sum.to_le_bytes());
-        if let Err(error) = live.restore(&bytes) {
+        let mut live = moving();
+        let bytes = live.snapshot();
+        assert_harmless(&mut live, &forged(&bytes, word.index(bytes.len() / 8 - 1), bits));
+    }
+}
+
+fn moving() -> Simulator {
+    let mut live = Run::of("torsional").unwrap().starting("torsionAngle", 0.1).unwrap().live().unwrap();
+    live.advance(0.1).unwrap();
+    live
+}
+
+/// A snapshot with one of its eight-byte words replaced and its checksum (FNV-1a) made right again: a checksum finds
+/// accidents, it is no proof of good will.
+fn forged(snapshot: &[u8], word: usize, bits: u64) -> Vec<u8> {
+    let mut bytes = snapshot.to_vec();
+    let body = bytes.len() - 8;
+    bytes[8 * word..8 * word + 8].copy_from_slice(&bits.to_le_bytes());
+    let sum = bytes[..body]
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3));
+    bytes[body..].copy_from_slice(&sum.to_le_bytes());
+    bytes
+}
+
+/// Taken up or refused, the motion stays finite, ends every call, and is whole again after a reset.
+fn assert_harmless(live: &mut Simulator, bytes: &[u8]) {
+    if let Err(error) = live.restore(bytes) {
+        assert_speaks(&error);
+    }
+    assert_finite("the live state", &live.state());
+    if let Err(error) = live.advance(1e-3) {
+        assert_speaks(&error);
+    }
+    assert_finite("the live state", &live.state());
+    let [from, to] = live.range();
+    for outcome in [live.history(from, to, 10.0).map(drop), live.seek(from), live.set("velocity", 60.0)] {
+        if let Err(error) = outcome {
             assert_speaks(&error);
         }
-        assert_finite("the live state", &live.state());
-        if let Err(error) = live.advance(1e-3) {
-            assert_speaks(&error);
+    }
+    live.reset().unwrap();
+    live.advance(1e-3).unwrap();
+    assert_finite("the live state", &live.state());
+}
+
+/// A step length of `f64::MAX` was once stretched to infinity and rejected for ever.
+#[test]
+fn every_number_of_a_snapshot_may_be_the_largest() {
+    let mut live = moving();
+    let bytes = live.snapshot();
+    for word in 0..bytes.len() / 8 - 1 {
+        for number in [f64::MAX, f64::MIN, 5e-324] {
+            assert_harmless(&mut live, &forged(&bytes, word, number.to_bits()));
         }
-        let [from, to] = live.range();
-        let _ = live.history(from, to, 10.0);
-        let _ = live.seek(from);
-        let _ = live.set("velocity", 60.0);
-        let _ = live.reset();
-        live.advance(1e-3).unwrap();
-        assert_finite("the live state", &live.state());
+        live.restore(&bytes).unwrap();
     }
 }
 

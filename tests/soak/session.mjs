@@ -132,7 +132,7 @@ function restoring(random, simulator, moves) {
 function damage(random, bytes) {
   if (random.chance(0.3)) return ['whole', bytes];
   const copy = Uint8Array.from(bytes);
-  switch (random.below(6)) {
+  switch (random.below(7)) {
     case 0: {
       const at = random.below(copy.length);
       copy[at] ^= 1 << random.below(8);
@@ -155,11 +155,27 @@ function damage(random, bytes) {
       if (at + 8 <= copy.length) view.setFloat64(at, random.pick([NaN, Infinity, -1, 1e308]), true);
       return [`a hostile number at ${at} of ${copy.length}`, copy];
     }
+    case 5: {
+      // One number replaced, and the checksum made right again: no accident, a forgery.
+      const words = new DataView(copy.buffer);
+      const at = 8 * (1 + random.below((copy.length >> 3) - 2));
+      if (random.chance(0.5)) words.setFloat64(at, random.pick(NUMBERS), true);
+      else words.setBigUint64(at, random.pick([0n, 1n, 3n, 2n ** 40n, 2n ** 53n, 2n ** 64n - 1n]), true);
+      words.setBigUint64(copy.length - 8, fnv(copy.subarray(0, -8)), true);
+      return [`forged at ${at} of ${copy.length}`, copy];
+    }
     default: {
       const { name, value } = garbage(random);
       return [name, value];
     }
   }
+}
+
+/** The checksum of a snapshot, FNV-1a. @param {Uint8Array} bytes */
+function fnv(bytes) {
+  let hash = 0xcbf29ce484222325n;
+  for (const byte of bytes) hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
+  return hash;
 }
 
 /** An argument that calls the simulator while it is being read. @param {Random} random @param {any} simulator @param {string[]} moves */

@@ -32,7 +32,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         for number in [&mut self.t, &mut self.h, &mut self.from_t, &mut self.length] {
             codec.number(number);
         }
-        let vectors = [&mut self.x, &mut self.from_x, &mut self.f, &mut self.start_rate];
+        let vectors = [&mut self.x, &mut self.from_x, &mut self.reached, &mut self.f, &mut self.start_rate];
         for number in vectors.into_iter().chain(&mut self.k).flatten() {
             codec.number(number);
         }
@@ -45,6 +45,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.going_stiff = going != 0;
         self.dense_ready = false;
         self.look_at_switches();
-        sound && self.h > 0.0 && self.length >= 0.0
+        // A longer step than any run can ask for would be infinite once stretched, and be rejected for ever.
+        sound && self.h > 0.0 && self.h <= 1e12 && self.length >= 0.0
     }
 }
