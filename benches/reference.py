@@ -138,7 +138,7 @@ def crossing(coefficients, threshold, above, h):
     """
     rough = [float(c) for c in coefficients]
     rough[0] = float(coefficients[0] - threshold)
-    if max(abs(rough[0]), 0.0) > sum(abs(c) * float(h) ** i for i, c in enumerate(rough) if i):
+    if abs(rough[0]) > sum(abs(c) * float(h) ** i for i, c in enumerate(rough) if i):
         return None
     h = float(h)
     times, slopes = [0.0], [slope(rough, 0.0)]
