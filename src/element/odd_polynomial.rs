@@ -28,15 +28,19 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
         Self { coefficients: [0.0; TERMS], to_unit: 0.0, range: f64::INFINITY }
     }
 
+    /// No polynomial: every call goes to the function.
+    pub fn none() -> Self {
+        Self { coefficients: [0.0; TERMS], to_unit: 0.0, range: 0.0 }
+    }
+
     /// Fits `function` on |x| ≤ `range`.
     ///
     /// `function` must be odd, and analytic on the range; `size` is the size of its terms per unit of x, over all of the
     /// range: the error is measured by it.
     pub fn fit(range: f64, size: f64, function: impl Fn(f64) -> f64) -> Self {
         let to_unit = 1.0 / range;
-        let exact_only = Self { coefficients: [0.0; TERMS], to_unit: 0.0, range: 0.0 };
         if !(range > 0.0 && range.is_finite() && to_unit.is_finite()) {
-            return exact_only;
+            return Self::none();
         }
         // cos(π m/2·NODES): taken from one turn, as large arguments would lose digits.
         let cosines: [f64; 4 * NODES] = std::array::from_fn(|m| (PI * m as f64 / (2 * NODES) as f64).cos());
@@ -53,7 +57,7 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
         // ε/2 in each.)
         let cut_off: f64 = chebyshev[TERMS..TERMS + 4].iter().map(|c| c.abs()).sum();
         let proven = cut_off <= 4.0 * f64::EPSILON * size * range;
-        if proven { Self { coefficients: to_powers(&chebyshev), to_unit, range } } else { exact_only }
+        if proven { Self { coefficients: to_powers(&chebyshev), to_unit, range } } else { Self::none() }
     }
 
     /// The fitted function at `x`; `function` is called where the polynomial does not reach.

@@ -5,8 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::{Side, odd_polynomial::OddPolynomial};
 use crate::real::Real;
 
-/// How far past its limit a law is fitted: a step may look that far ahead before the kink is located.
-const OVERSHOOT: f64 = 1.2;
+/// How far past its limit a law is fitted, if the polynomial reaches so far: a step may look ahead before the kink is
+/// located. A step is at most a third of a swing.
+const OVERSHOOT: [f64; 3] = [2.2, 1.6, 1.2];
 
 /// The piecewise law of a stretched-string tire.
 ///
@@ -115,8 +116,9 @@ impl SteeringMoment {
         let casting = |y: f64| -mobility * caster_length * law.side_force(y * slip_ratio, Side::Within);
         let fit = |limit: f64, function: &dyn Fn(f64) -> f64| {
             // Up to 45° an arc tangent is of the size of its argument; no polynomial of this length reaches further.
-            let reach = if OVERSHOOT * limit <= 1.0 { OVERSHOOT * limit } else { 0.0 };
-            OddPolynomial::fit(reach * relaxation_length, size, function)
+            let reaches = OVERSHOOT.map(|factor| factor * limit).into_iter().filter(|reach| *reach <= 1.0);
+            let mut fits = reaches.map(|reach| OddPolynomial::fit(reach * relaxation_length, size, function));
+            fits.find(|fit| fit.range() > 0.0).unwrap_or(OddPolynomial::none())
         };
         let both = fit(force_limit.min(moment_limit), &|y| aligning(y) + casting(y));
         // Beyond tan δ only the aligning moment changes, beyond tan α_g only the side force.

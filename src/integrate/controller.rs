@@ -42,6 +42,11 @@ impl Controller {
         }
     }
 
+    /// The memory of this controller with the settings of another.
+    pub fn like(self, settings: Self) -> Self {
+        Self { error_before: self.error_before, rejected: self.rejected, ..settings }
+    }
+
     /// Writes or reads what is remembered. False where what was read makes no sense.
     pub fn code(&mut self, codec: &mut dyn crate::live::Codec) -> bool {
         let mut rejected = u64::from(self.rejected);

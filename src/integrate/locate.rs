@@ -53,6 +53,16 @@ impl Ends {
     }
 }
 
+impl Ends {
+    /// Where the cubic of a switch that falls once is zero.
+    pub fn fall(&self) -> f64 {
+        let rise = self.end - self.start;
+        let bend = 3.0 * rise - 2.0 * self.start_slope - self.end_slope;
+        let twist = self.start_slope + self.end_slope - 2.0 * rise;
+        bracketed(0.0, 1.0, &|theta| self.start + theta * (self.start_slope + theta * (bend + theta * twist)))
+    }
+}
+
 /// Finds the first θ ∈ \[0, 1\] at which a switch falls through zero.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Locator {

@@ -6,6 +6,9 @@ use super::{
 };
 use crate::model::{Mode, System};
 
+/// Stage of the derivative at the end, which is the first of the next step.
+pub(super) const END: usize = 4;
+
 /// W. Kutta, *Z. Math. Phys.* 46 (1901) 435–453.
 #[inline(never)]
 pub(super) fn attempt<S: System<N>, const N: usize>(
@@ -24,6 +27,6 @@ pub(super) fn attempt<S: System<N>, const N: usize>(
 }
 
 /// Cubic Hermite: its error per step is of order 4, as the method's error over a run is.
-pub(super) fn dense<const N: usize>(x0: &[f64; N], x1: &[f64; N], f1: &[f64; N], h: f64, k: &Stages<N>) -> Dense<N> {
-    Dense::hermite(x0, x1, &k[0], f1, h)
+pub(super) fn dense<const N: usize>(x0: &[f64; N], x1: &[f64; N], h: f64, k: &Stages<N>) -> Dense<N> {
+    Dense::hermite(x0, x1, &k[0], &k[END], h)
 }

@@ -96,6 +96,8 @@ pub struct Integrator<S, const N: usize> {
     /// next step).
     from_t: f64,
     from_x: [f64; N],
+    /// The state that its stages lead to: x itself, or a little before a switch.
+    reached: [f64; N],
     length: f64,
     from_mode: Mode,
     k: Stages<N>,
@@ -141,6 +143,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             stats: Stats::default(),
             from_t: t,
             from_x: x,
+            reached: x,
             length: 0.0,
             from_mode: Mode::default(),
             k: [[0.0; N]; MOST],
@@ -166,6 +169,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.stats.evaluations += 1;
         (self.t, self.x, self.f, self.mode) = (t, x, f, mode);
         (self.from_t, self.from_x, self.length, self.from_mode) = (t, x, 0.0, mode);
+        self.reached = x;
         self.fresh = 0;
         self.dense_ready = false;
         self.stiff_looking = 0;
@@ -243,7 +247,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         (self.from_t, self.from_x, self.from_mode, self.length) = (self.t, self.x, self.mode, h);
         let end_rate = self.end_rate(landed, &attempt.end);
         self.t = landed;
-        self.x = attempt.end;
+        (self.x, self.reached) = (attempt.end, attempt.end);
         self.dense_ready = false;
         self.stats.steps += 1;
         if self.stats.steps.is_multiple_of(STIFF_INTERVAL) || self.stiff_looking > 0 {
@@ -321,19 +325,25 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
                 }
             }
         };
-        let scale: [f64; N] = std::array::from_fn(|i| {
-            let (start, end) = (self.x[i].abs(), attempt.end[i].abs());
-            let size = if start > end { start } else { end };
-            1.0 / (self.tolerance.absolute[i] + self.tolerance.relative * size)
-        });
+        let scale = self.scale(&attempt.end);
         let error = match self.scheme {
-            Scheme::DormandPrince => root_mean_square(&dormand_prince::error(h, k), &scale),
-            Scheme::Dop853 => dop853::error(h, k, &scale),
+            Scheme::DormandPrince => root_mean_square(&dormand_prince::error(h, &self.k), &scale),
+            Scheme::Dop853 => dop853::error(h, &self.k, &scale),
             Scheme::RungeKutta4 => 0.0,
-            Scheme::Rodas => root_mean_square(&rodas::error(k), &scale),
+            Scheme::Rodas => root_mean_square(&rodas::error(&self.k), &scale),
         };
         let finite = attempt.end.iter().all(|x| x.is_finite());
         (attempt, if finite { error } else { f64::INFINITY })
+    }
+
+    /// One over the tolerance of each component, over a step that ends at `end`.
+    #[inline(always)]
+    fn scale(&self, end: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| {
+            let (start, end) = (self.x[i].abs(), end[i].abs());
+            let size = if start > end { start } else { end };
+            1.0 / (self.tolerance.absolute[i] + self.tolerance.relative * size)
+        })
     }
 
     /// Derivative at the end of an accepted step, where the next step starts.
@@ -344,8 +354,10 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         }
         self.stats.evaluations += 1;
         let rate = self.system.rate(t, self.mode, x);
-        if self.scheme == Scheme::Dop853 {
-            self.k[dop853::END] = rate;
+        match self.scheme {
+            Scheme::Dop853 => self.k[dop853::END] = rate,
+            Scheme::RungeKutta4 => self.k[runge_kutta4::END] = rate,
+            Scheme::DormandPrince | Scheme::Rodas => {}
         }
         rate
     }

@@ -55,14 +55,14 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         if self.dense_ready {
             return;
         }
-        let (x0, x1, h) = (&self.from_x, &self.x, self.length);
+        let (x0, x1, h) = (&self.from_x, &self.reached, self.length);
         self.dense = match self.scheme {
             Scheme::DormandPrince => dormand_prince::dense(x0, x1, h, &self.k),
             Scheme::Dop853 => {
                 self.stats.evaluations += 3;
                 dop853::dense(&*self.system, self.from_mode, self.from_t, (x0, x1), h, &mut self.k)
             }
-            Scheme::RungeKutta4 => runge_kutta4::dense(x0, x1, &self.f, h, &self.k),
+            Scheme::RungeKutta4 => runge_kutta4::dense(x0, x1, h, &self.k),
             Scheme::Rodas => rodas::dense(x0, x1, &self.k),
         };
         self.dense_ready = true;

@@ -38,7 +38,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         }
         let Some(scheme) = SCHEMES.get(scheme as usize) else { return false };
         self.scheme = *scheme;
-        self.controller = controller(*scheme);
+        self.controller = self.controller.like(controller(*scheme));
         sound &= self.controller.code(codec);
         (self.mode, self.from_mode, self.fresh) = (Mode(mode as u32), Mode(from_mode as u32), fresh as u32);
         (self.stiff_looking, self.in_place, self.stats.stiff) = (looking as u32, in_place as u32, stiff != 0);

@@ -1,8 +1,8 @@
 //! Switches: where a step meets one, and how it stops there.
 
 use super::{
-    super::locate::{Ends, bracketed},
-    Failure, Integrator, Outcome,
+    super::{locate::Ends, stages::Attempt},
+    Failure, Integrator, Outcome, root_mean_square,
 };
 use crate::{model::System, real::Dual};
 
@@ -17,6 +17,19 @@ pub(super) struct Switches {
     pub slope: [f64; MOST_SWITCHES],
 }
 
+impl Ends {
+    /// Of switch `which` over a step of length `h`.
+    #[inline(always)]
+    fn of(start: &Switches, end: &Switches, which: usize, h: f64) -> Self {
+        Self {
+            start: start.value[which],
+            start_slope: h * start.slope[which],
+            end: end.value[which],
+            end_slope: h * end.slope[which],
+        }
+    }
+}
+
 impl<S: System<N>, const N: usize> Integrator<S, N> {
     /// The first switch within the step just taken, and where.
     #[inline(always)]
@@ -28,12 +41,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             if start.active >> which & 1 == 0 {
                 continue;
             }
-            let ends = Ends {
-                start: start.value[which],
-                start_slope: h * start.slope[which],
-                end: self.switches.value[which],
-                end_slope: h * self.switches.slope[which],
-            };
+            let ends = Ends::of(&start, &self.switches, which, h);
             if ends.end > 0.0 {
                 self.fresh &= !(1 << which);
             }
@@ -43,7 +51,25 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
                 certain |= u32::from(ends.falls_once(fresh)) << which;
             }
         }
-        if suspects == 0 { None } else { self.locate(suspects, certain, fresh) }
+        if suspects == 0 {
+            return None;
+        }
+        let first = if suspects == certain { self.foresee(suspects, &start, h) } else { self.locate(suspects, fresh) };
+        if first.is_some() {
+            // The step is cut at the switch: what was fresh at its start may still be.
+            self.fresh = fresh;
+        }
+        first
+    }
+
+    /// The first of the switches that are known to fall once, and the θ where its cubic does: near enough for
+    /// [`Integrator::stop_at`], which goes on from there.
+    #[inline(never)]
+    fn foresee(&self, certain: u32, start: &Switches, h: f64) -> Option<(usize, f64)> {
+        let falls = (0..S::SWITCHES).filter(|which| certain >> which & 1 == 1);
+        falls
+            .map(|which| (which, Ends::of(start, &self.switches, which, h).fall()))
+            .min_by(|(_, one), (_, other)| one.total_cmp(other))
     }
 
     /// Values and slopes of the switches at the end of the last step, where the next one starts.
@@ -61,10 +87,9 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         }
     }
 
-    /// The first of the suspected switches on the dense output, and the θ where it falls; of the certain ones it is
-    /// known that they fall once.
+    /// The first of the suspected switches on the dense output, and the θ where it falls.
     #[inline(never)]
-    fn locate(&mut self, suspects: u32, certain: u32, fresh: u32) -> Option<(usize, f64)> {
+    fn locate(&mut self, suspects: u32, fresh: u32) -> Option<(usize, f64)> {
         self.prepare_dense();
         let mut first: Option<(usize, f64)> = None;
         for which in (0..S::SWITCHES).filter(|which| suspects >> which & 1 == 1) {
@@ -72,20 +97,11 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
                 let t = self.from_t + theta * self.length;
                 self.system.switch(which, t, self.mode, &self.dense.at(theta)).unwrap_or(1.0)
             };
-            let fall = if certain >> which & 1 == 1 {
-                Some(bracketed(0.0, 1.0, &value))
-            } else {
-                self.locator.first(fresh >> which & 1 == 1, value)
-            };
-            if let Some(theta) = fall
+            if let Some(theta) = self.locator.first(fresh >> which & 1 == 1, value)
                 && first.is_none_or(|(_, earliest)| theta < earliest)
             {
                 first = Some((which, theta));
             }
-        }
-        if first.is_some() {
-            // The step is cut at the switch: what was fresh at its start may still be.
-            self.fresh = fresh;
         }
         first
     }
@@ -93,22 +109,19 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     /// Takes the step again up to the switch, with the full order of the scheme, and changes the mode there.
     #[inline(never)]
     pub(super) fn stop_at(&mut self, which: usize, theta: f64) -> Result<Outcome, Failure> {
-        let h = theta * self.length;
-        self.k[0] = self.start_rate;
         (self.t, self.x) = (self.from_t, self.from_x);
+        self.dense_ready = false;
+        let h = theta * self.length;
         if self.t + h > self.t {
-            let (attempt, _) = self.attempt(h);
-            (self.t, self.x, self.length) = (self.t + h, attempt.end, h);
+            self.land_on(which, h);
             self.in_place = 0;
         } else {
-            self.length = 0.0;
+            (self.length, self.reached) = (0.0, self.x);
             self.in_place += 1;
         }
         if !self.x.iter().all(|x| x.is_finite()) || self.in_place > 4 * S::SWITCHES as u32 {
             return Err(Failure::StepTooSmall);
         }
-        self.end_rate(self.t, &self.x.clone());
-        self.dense_ready = false;
         self.stats.events += 1;
         self.mode = self.system.cross(which, self.mode);
         self.f = self.system.rate(self.t, self.mode, &self.x);
@@ -121,5 +134,40 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         }
         self.fresh |= 1 << which;
         Ok(Outcome::Switch(which))
+    }
+
+    /// Steps by about `h` to where switch `which` is zero.
+    ///
+    /// The step ends near the switch; the rest δ of the way is a parabola with the curvature of the step's cubic, as long
+    /// as what that adds is small. Where it is not, the step is taken once more, to the better place.
+    fn land_on(&mut self, which: usize, mut h: f64) {
+        let longest = self.length;
+        for tries_left in (0..3).rev() {
+            self.k[0] = self.start_rate;
+            let (Attempt { end, .. }, _) = self.attempt(h);
+            let rate = self.end_rate(self.from_t + h, &end);
+            let along: [Dual<1>; N] = std::array::from_fn(|i| Dual { value: end[i], slope: [rate[i]] });
+            let delta = match self.system.switch(which, Dual::variable(self.from_t + h, 0), self.mode, &along) {
+                Some(Dual { value, slope: [slope] }) if slope < 0.0 => -value / slope,
+                _ => 0.0,
+            };
+            let bend: [f64; N] = std::array::from_fn(|i| {
+                let mean = (end[i] - self.from_x[i]) / h;
+                0.5 * delta * (delta / h) * (2.0 * self.start_rate[i] + 4.0 * rate[i] - 6.0 * mean)
+            });
+            let small = root_mean_square(&bend, &self.scale(&end)) < 0.1;
+            let better = h + delta;
+            if small || tries_left == 0 || better <= 0.0 || better > longest {
+                (self.reached, self.length) = (end, h);
+                self.t = self.from_t + h;
+                self.x = end;
+                if small {
+                    self.t += delta;
+                    self.x = std::array::from_fn(|i| end[i] + delta * rate[i] + bend[i]);
+                }
+                return;
+            }
+            h = better;
+        }
     }
 }
