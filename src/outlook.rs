@@ -19,6 +19,8 @@ const REPEATING: f64 = 2e-8;
 const REPEATS: usize = 5;
 /// A motion has died out when it has fallen to this fraction of its start.
 const GONE: f64 = 1e-5;
+/// A motion has stopped when its rate has fallen to this fraction of the largest.
+const STILL: f64 = 1e-6;
 /// At the horizon, an amplitude that changes by less than this a cycle holds.
 const HOLDING: f64 = 1e-5;
 /// Points of the orbit.
@@ -36,7 +38,7 @@ pub enum Verdict {
     Rattles,
     /// Grows beyond the range of the model.
     Grows,
-    /// Does not move, and nothing moves it.
+    /// Is at rest, or comes to rest away from the middle.
     Rests,
 }
 
@@ -86,13 +88,15 @@ struct Cycle<const N: usize> {
 }
 
 /// How a look ahead ended.
-enum End<const N: usize> {
+enum End {
     /// The motion repeats (or holds at the horizon).
     Repeats,
     /// It got to nothing, or falls at the horizon.
     Dies,
     /// It got to infinity, or grows at the horizon.
     Grows,
+    /// It stopped away from the middle.
+    Stops,
 }
 
 struct Look<M, const N: usize> {
@@ -100,7 +104,7 @@ struct Look<M, const N: usize> {
     cycles: Vec<Cycle<N>>,
     /// First turning points of the first state: what is known before a cycle is complete.
     turns: Vec<(f64, f64)>,
-    end: End<N>,
+    end: End,
 }
 
 /// The outlook of a run.
@@ -113,12 +117,13 @@ pub(crate) fn of<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Out
     }
     let mut look = look_ahead(motion, horizon, posed.run.max_steps())?;
     let (amplitude, frequency) = match look.cycles.last() {
-        Some(cycle) => (cycle.amplitude, Some(1.0 / cycle.period)),
-        None => (std::array::from_fn(|i| look.motion.state()[i].abs()), None),
+        Some(cycle) if !matches!(look.end, End::Stops) => (cycle.amplitude, Some(1.0 / cycle.period)),
+        _ => (std::array::from_fn(|i| look.motion.state()[i].abs()), None),
     };
     let verdict = match look.end {
         End::Dies => Verdict::DiesOut,
         End::Grows => Verdict::Grows,
+        End::Stops => Verdict::Rests,
         End::Repeats if amplitude[0] > TRUSTED => Verdict::Grows,
         End::Repeats if lives_on_freeplay(posed, &look)? => Verdict::Rattles,
         End::Repeats => Verdict::Shimmies,
@@ -167,6 +172,7 @@ fn look_ahead<M: Model<N>, const N: usize>(
     let mut turns = Vec::new();
     let mut open: Option<Cycle<N>> = None;
     let largest_at_start = size::<M, N>(motion.state());
+    let mut fastest = size::<M, N>(motion.derivative());
     let mut end = None;
     while motion.time() < horizon && end.is_none() && motion.stats().steps < most_steps {
         let time = motion.time();
@@ -198,14 +204,21 @@ fn look_ahead<M: Model<N>, const N: usize>(
             }
             open = Some(Cycle { start: t, period: 0.0, low: 0.0, high: 0.0, amplitude: [0.0; N] });
         }
+        let speed = size::<M, N>(motion.derivative());
+        fastest = fastest.max(speed);
         if size::<M, N>(motion.state()) < GONE * largest_at_start {
             end = Some(End::Dies);
+        } else if speed < STILL * fastest {
+            end = Some(End::Stops);
         }
         if size::<M, N>(motion.state()) > 1e6 * largest_at_start.max(1.0) {
             end = Some(End::Grows);
         }
     }
-    let end = end.unwrap_or_else(|| at_horizon(&cycles, size::<M, N>(motion.state()) < largest_at_start));
+    let end = end.unwrap_or_else(|| {
+        let quiet = cycles.last().is_none_or(|last| motion.time() > last.start + 3.0 * last.period);
+        if quiet { without_cycles::<M, N>(&motion, largest_at_start, fastest) } else { at_horizon(&cycles) }
+    });
     Ok(Look { motion, cycles, turns, end })
 }
 
@@ -215,27 +228,34 @@ fn size<M: Model<N>, const N: usize>(x: &[f64; N]) -> f64 {
 }
 
 /// Whether the last cycles tell the end already.
-fn judged<const N: usize>(cycles: &[Cycle<N>]) -> Option<End<N>> {
+fn judged<const N: usize>(cycles: &[Cycle<N>]) -> Option<End> {
     let last = cycles.last()?.amplitude[0];
     let before = cycles.get(cycles.len().checked_sub(REPEATS + 1)?)?.amplitude[0];
     if (last - before).abs() < REPEATING * last { Some(End::Repeats) } else { None }
 }
 
-/// The end of a motion that is still on its way at the horizon.
-fn at_horizon<const N: usize>(cycles: &[Cycle<N>], smaller: bool) -> End<N> {
-    match cycles {
-        [.., before, last] => {
-            let change = last.amplitude[0] / before.amplitude[0] - 1.0;
-            if change < -HOLDING {
-                End::Dies
-            } else if change > HOLDING && last.amplitude[0] > TRUSTED {
-                End::Grows
-            } else {
-                End::Repeats
-            }
-        }
-        _ if smaller => End::Dies,
-        _ => End::Grows,
+/// The end of a motion that still oscillates at the horizon.
+fn at_horizon<const N: usize>(cycles: &[Cycle<N>]) -> End {
+    let [.., before, last] = cycles else { return End::Repeats };
+    let change = last.amplitude[0] / before.amplitude[0] - 1.0;
+    if change < -HOLDING {
+        End::Dies
+    } else if change > HOLDING && last.amplitude[0] > TRUSTED {
+        End::Grows
+    } else {
+        End::Repeats
+    }
+}
+
+/// The end of a motion that does not oscillate (any more) at the horizon: by where it is and how fast it still goes.
+fn without_cycles<M: Model<N>, const N: usize>(motion: &Integrator<M, N>, start: f64, fastest: f64) -> End {
+    let (size, speed) = (size::<M, N>(motion.state()), size::<M, N>(motion.derivative()));
+    if motion.state()[0].abs() > TRUSTED || (size > start && speed > 0.5 * fastest) {
+        End::Grows
+    } else if size < start {
+        End::Dies
+    } else {
+        End::Stops
     }
 }
 

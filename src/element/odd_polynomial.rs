@@ -30,7 +30,8 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
 
     /// No polynomial: every call goes to the function.
     pub fn none() -> Self {
-        Self { coefficients: [0.0; TERMS], to_unit: 0.0, range: 0.0 }
+        // Not 0: at x = 0 the derivative must come from the function, too.
+        Self { coefficients: [0.0; TERMS], to_unit: 0.0, range: f64::NEG_INFINITY }
     }
 
     /// Fits `function` on |x| ≤ `range`.
@@ -72,7 +73,7 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
 
     /// Largest |x| for which the polynomial serves; 0 where it never does.
     pub fn range(&self) -> f64 {
-        self.range
+        self.range.max(0.0)
     }
 }
 

@@ -4,6 +4,9 @@
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 6.0;
 
+/// An error smaller than 10⁻⁴ of the tolerance is remembered as that: log₂ 10⁻⁴.
+const LEAST_REMEMBERED: f64 = -13.287_712;
+
 /// A PI controller: h ← h · safety · err^(−exponent) · err_before^β.
 ///
 /// K. Gustafsson, *ACM TOMS* 17 (1991) 533–554; E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential
@@ -14,22 +17,23 @@ pub(super) struct Controller {
     exponent: f64,
     beta: f64,
     safety: f64,
-    error_before: f64,
+    /// log₂ of the error of the step before.
+    log_before: f64,
     rejected: bool,
 }
 
 impl Controller {
     /// For a method whose error estimate falls with the `order`-th power of the step.
     pub fn new(order: f64, beta: f64, safety: f64) -> Self {
-        Self { exponent: 1.0 / order - 0.75 * beta, beta, safety, error_before: 1e-4, rejected: false }
+        Self { exponent: 1.0 / order - 0.75 * beta, beta, safety, log_before: LEAST_REMEMBERED, rejected: false }
     }
 
     /// Factor for the next step after one that was accepted with `error` ≤ 1.
     #[inline(always)]
     pub fn accepted(&mut self, error: f64) -> f64 {
-        let error = if error > 1e-10 { error } else { 1e-10 };
-        let factor = self.safety * power(error, -self.exponent) * power(self.error_before, self.beta);
-        self.error_before = if error > 1e-4 { error } else { 1e-4 };
+        let log_error = log2(if error > 1e-10 { error } else { 1e-10 });
+        let factor = self.safety * exp2(self.beta * self.log_before - self.exponent * log_error);
+        self.log_before = if log_error > LEAST_REMEMBERED { log_error } else { LEAST_REMEMBERED };
         let most = if self.rejected { 1.0 } else { GROW };
         self.rejected = false;
         // Comparisons, as `clamp` and `max` must also mind NaN and cost more than the powers.
@@ -44,16 +48,16 @@ impl Controller {
 
     /// The memory of this controller with the settings of another.
     pub fn like(self, settings: Self) -> Self {
-        Self { error_before: self.error_before, rejected: self.rejected, ..settings }
+        Self { log_before: self.log_before, rejected: self.rejected, ..settings }
     }
 
     /// Writes or reads what is remembered. False where what was read makes no sense.
     pub fn code(&mut self, codec: &mut dyn crate::live::Codec) -> bool {
         let mut rejected = u64::from(self.rejected);
-        codec.number(&mut self.error_before);
+        codec.number(&mut self.log_before);
         codec.bits(&mut rejected);
         self.rejected = rejected != 0;
-        self.error_before > 0.0
+        (LEAST_REMEMBERED..=0.1).contains(&self.log_before)
     }
 
     /// Factor for another try after one with `error` > 1 (or not a number).

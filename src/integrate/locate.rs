@@ -107,10 +107,11 @@ impl Locator {
 
     /// The first fall through zero of `switch`, a function of θ, or `None`.
     ///
-    /// A dip below zero that rounding could have made does not count, nor does the start of a `fresh` switch.
-    pub fn first(&self, fresh: bool, switch: impl Fn(f64) -> f64) -> Option<f64> {
+    /// A dip below zero that rounding could have made does not count, nor does the start of a `fresh` switch. `size` is
+    /// the size of the terms whose difference the switch is.
+    pub fn first(&self, fresh: bool, size: f64, switch: impl Fn(f64) -> f64) -> Option<f64> {
         let values: [f64; NODES] = std::array::from_fn(|i| switch(self.nodes[i]));
-        let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let largest = values.iter().fold(size, |most, value| most.max(value.abs()));
         if !values.iter().all(|value| value.is_finite()) {
             return None;
         }
@@ -233,7 +234,7 @@ mod tests {
     use super::*;
 
     fn first(fresh: bool, switch: impl Fn(f64) -> f64) -> Option<f64> {
-        Locator::get().first(fresh, switch)
+        Locator::get().first(fresh, 0.0, switch)
     }
 
     #[test]

@@ -254,7 +254,9 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             self.look_for_stiffness(h, &attempt, &end_rate);
         }
         self.start_rate = std::mem::replace(&mut self.f, end_rate);
-        if S::SWITCHES > 0
+        if self.in_place > 2 * S::SWITCHES as u32 {
+            self.pass_blindly();
+        } else if S::SWITCHES > 0
             && let Some((which, theta)) = self.first_switch(h)
         {
             return self.stop_at(which, theta);
