@@ -17,72 +17,71 @@ pub(super) struct Switches {
     pub slope: [f64; MOST_SWITCHES],
 }
 
-impl Ends {
-    /// Of switch `which` over a step of length `h`.
+impl Switches {
+    /// Puts in the value and slope of one switch, and gives back what was there. One by one: a copy of the whole is a
+    /// call in WebAssembly.
     #[inline(always)]
-    fn of(start: &Switches, end: &Switches, which: usize, h: f64) -> Self {
-        Self {
-            start: start.value[which],
-            start_slope: h * start.slope[which],
-            end: end.value[which],
-            end_slope: h * end.slope[which],
-        }
+    fn replace(&mut self, which: usize, (value, slope): (f64, f64)) -> (f64, f64) {
+        (std::mem::replace(&mut self.value[which], value), std::mem::replace(&mut self.slope[which], slope))
     }
 }
 
 impl<S: System<N>, const N: usize> Integrator<S, N> {
-    /// The first switch within the step just taken, and where.
+    /// The first switch within the step just taken, and where. Looks at all of them at its end.
     #[inline(always)]
     pub(super) fn first_switch(&mut self, h: f64) -> Option<(usize, f64)> {
-        let (fresh, start) = (self.fresh, self.switches);
-        self.look_at_switches();
-        let (mut suspects, mut certain) = (0_u32, 0_u32);
+        let fresh_at_start = self.fresh;
+        let along = self.along();
+        let (mut suspects, mut foreseen, mut unclear) = (0_u32, None, false);
         for which in 0..S::SWITCHES {
-            if start.active >> which & 1 == 0 {
-                continue;
-            }
-            let ends = Ends::of(&start, &self.switches, which, h);
+            // Within a step a switch applies throughout, or not at all.
+            let Some(now) = self.system.switch(which, Dual::variable(self.t, 0), self.mode, &along) else { continue };
+            let before = self.switches.replace(which, (now.value, now.slope[0]));
+            let ends = Ends { start: before.0, start_slope: h * before.1, end: now.value, end_slope: h * now.slope[0] };
             if ends.end > 0.0 {
                 self.fresh &= !(1 << which);
             }
-            let fresh = fresh >> which & 1 == 1;
+            let fresh = fresh_at_start >> which & 1 == 1;
             if !ends.stays_positive(fresh) {
                 suspects |= 1 << which;
-                certain |= u32::from(ends.falls_once(fresh)) << which;
+                if ends.falls_once(fresh) {
+                    // Near enough for `stop_at`, which goes on from there.
+                    let theta = ends.fall();
+                    if foreseen.is_none_or(|(_, earliest)| theta < earliest) {
+                        foreseen = Some((which, theta));
+                    }
+                } else {
+                    unclear = true;
+                }
             }
         }
         if suspects == 0 {
             return None;
         }
-        let first = if suspects == certain { self.foresee(suspects, &start, h) } else { self.locate(suspects, fresh) };
+        let first = if unclear { self.locate(suspects, fresh_at_start) } else { foreseen };
         if first.is_some() {
             // The step is cut at the switch: what was fresh at its start may still be.
-            self.fresh = fresh;
+            self.fresh = fresh_at_start;
         }
         first
     }
 
-    /// The first of the switches that are known to fall once, and the θ where its cubic does: near enough for
-    /// [`Integrator::stop_at`], which goes on from there.
-    #[inline(never)]
-    fn foresee(&self, certain: u32, start: &Switches, h: f64) -> Option<(usize, f64)> {
-        let falls = (0..S::SWITCHES).filter(|which| certain >> which & 1 == 1);
-        falls
-            .map(|which| (which, Ends::of(start, &self.switches, which, h).fall()))
-            .min_by(|(_, one), (_, other)| one.total_cmp(other))
+    /// The state at the end of the last step, with its slope in time.
+    #[inline(always)]
+    fn along(&self) -> [Dual<1>; N] {
+        std::array::from_fn(|i| Dual { value: self.x[i], slope: [self.f[i]] })
     }
 
     /// Values and slopes of the switches at the end of the last step, where the next one starts.
     #[inline(always)]
     pub(super) fn look_at_switches(&mut self) {
         const { assert!(S::SWITCHES <= MOST_SWITCHES) };
-        let along: [Dual<1>; N] = std::array::from_fn(|i| Dual { value: self.x[i], slope: [self.f[i]] });
+        let along = self.along();
         self.switches.active = 0;
         for which in 0..S::SWITCHES {
             if let Some(value) = self.system.switch(which, Dual::variable(self.t, 0), self.mode, &along) {
                 self.switches.active |= 1 << which;
-                self.switches.value[which] = value.value;
-                self.switches.slope[which] = value.slope[0];
+                self.switches.replace(which, (value.value, value.slope[0]));
             }
         }
     }
