@@ -3,6 +3,8 @@
 
 mod common;
 
+use std::f64::consts::PI;
+
 use common::{
     gear::ADAPTIVE,
     reference::{handed_over, number, random, run, trajectories},
@@ -138,5 +140,22 @@ fn freeplay_keeps_a_rattle_alive() {
         let shimmy = with_gap(50.0, 30.0, degrees);
         assert_eq!(shimmy.verdict, Verdict::Shimmies, "{degrees}°: it lives without the gap, too");
         assert!((shimmy.amplitude[0] - amplitude).abs() < 1e-5, "{degrees}°: {}", shimmy.amplitude[0]);
+    }
+}
+
+/// With a caster that leads, the tire turns the wheel out of the gap, and it stops against the spring where the moments
+/// balance: k (ψ − ψ_fp) = M_z − e F_y with y = σψ.
+#[test]
+fn a_wheel_that_stops_turned_is_said_to() {
+    let (gap, caster) = (1_f64.to_radians(), -0.2);
+    for start in [0.001, 0.1] {
+        let run = gear(30.0, 20.0).with("casterLength", caster).and_then(|run| run.with("freeplayAngle", gap));
+        let outlook = starting(run.expect("a gap"), start);
+        assert_eq!((outlook.verdict, outlook.frequency), (Verdict::Rests, None), "from {start}");
+        let psi = outlook.amplitude[0];
+        let (alpha, limit) = (psi.atan(), 10_f64.to_radians());
+        let moment = -18_000.0 * limit / PI * (PI * alpha / limit).sin() - caster * 180_000.0 * alpha;
+        assert_near("moment of the spring", 1e5 * (psi - gap), moment, 1e-4);
+        assert_near("lateral deformation", outlook.amplitude[2], 0.3 * psi, 1e-5);
     }
 }
