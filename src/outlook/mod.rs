@@ -1,10 +1,14 @@
 //! What becomes of a motion: does it shake, die out, rattle, or grow beyond the model.
 
+mod approach;
+mod look;
+
 use serde::Serialize;
 
+use self::look::{End, Look, look_ahead};
 use crate::{
     error::{Error, Result},
-    integrate::{Failure, Integrator, failed},
+    integrate::failed,
     live::{Columns, Envelope},
     model::Model,
     run::Posed,
@@ -14,15 +18,6 @@ use crate::{
 pub(crate) const HORIZON: f64 = 6.0;
 /// Swings beyond this leave the range of the kinematics (vψ for v sin ψ), in rad.
 const TRUSTED: f64 = 0.5;
-/// A cycle repeats when its amplitude changes by less than this over [`REPEATS`] cycles.
-const REPEATING: f64 = 2e-8;
-const REPEATS: usize = 5;
-/// A motion has died out when it has fallen to this fraction of its start.
-const GONE: f64 = 1e-5;
-/// A motion has stopped when its rate has fallen to this fraction of the largest.
-const STILL: f64 = 1e-6;
-/// At the horizon, an amplitude that changes by less than this a cycle holds.
-const HOLDING: f64 = 1e-5;
 /// Points of the orbit.
 const ORBIT: usize = 128;
 
@@ -61,7 +56,7 @@ pub struct Outlook {
     pub verdict: Verdict,
     /// It has arrived there from the start on.
     pub settled: bool,
-    /// Largest |·| of every state over a cycle of the motion it goes to (or has at the horizon).
+    /// Largest |·| of every state over a cycle of the motion it goes to.
     pub amplitude: Vec<f64>,
     /// Cycles per second of that motion; none where it does not oscillate.
     pub frequency: Option<f64>,
@@ -77,36 +72,6 @@ pub struct Outlook {
     pub orbit: Columns,
 }
 
-/// One cycle, from a rise through zero of the first state to the next.
-#[derive(Clone, Copy)]
-struct Cycle<const N: usize> {
-    start: f64,
-    period: f64,
-    low: f64,
-    high: f64,
-    amplitude: [f64; N],
-}
-
-/// How a look ahead ended.
-enum End {
-    /// The motion repeats (or holds at the horizon).
-    Repeats,
-    /// It got to nothing, or falls at the horizon.
-    Dies,
-    /// It got to infinity, or grows at the horizon.
-    Grows,
-    /// It stopped away from the middle.
-    Stops,
-}
-
-struct Look<M, const N: usize> {
-    motion: Integrator<M, N>,
-    cycles: Vec<Cycle<N>>,
-    /// First turning points of the first state: what is known before a cycle is complete.
-    turns: Vec<(f64, f64)>,
-    end: End,
-}
-
 /// The outlook of a run.
 pub(crate) fn of<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Outlook> {
     let horizon = posed.run.horizon();
@@ -116,7 +81,7 @@ pub(crate) fn of<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Out
         return Ok(resting(x));
     }
     let mut look = look_ahead(motion, horizon, posed.run.max_steps())?;
-    let (amplitude, frequency) = match look.cycles.last() {
+    let (amplitude, frequency) = match &look.destination {
         Some(cycle) if !matches!(look.end, End::Stops) => (cycle.amplitude, Some(1.0 / cycle.period)),
         _ => (std::array::from_fn(|i| look.motion.state()[i].abs()), None),
     };
@@ -159,103 +124,6 @@ fn resting<const N: usize>(x: [f64; N]) -> Outlook {
         trend: Trend::Steady,
         envelope: Envelope { time: vec![0.0], low: vec![x[0]], high: vec![x[0]] },
         orbit: Columns { time: Vec::new(), states: vec![Vec::new(); N] },
-    }
-}
-
-/// Follows the motion until it repeats, is gone, or the horizon is reached.
-fn look_ahead<M: Model<N>, const N: usize>(
-    mut motion: Integrator<M, N>,
-    horizon: f64,
-    most_steps: u64,
-) -> Result<Look<M, N>> {
-    let mut cycles: Vec<Cycle<N>> = Vec::new();
-    let mut turns = Vec::new();
-    let mut open: Option<Cycle<N>> = None;
-    let largest_at_start = size::<M, N>(motion.state());
-    let mut fastest = size::<M, N>(motion.derivative());
-    let mut end = None;
-    while motion.time() < horizon && end.is_none() && motion.stats().steps < most_steps {
-        let time = motion.time();
-        match motion.step(horizon) {
-            Ok(_) => {}
-            Err(Failure::Diverged) => {
-                end = Some(End::Grows);
-                break;
-            }
-            Err(failure) => return Err(failed(failure, time)),
-        }
-        for component in 0..N {
-            if let Some((t, value)) = motion.turning_point(component) {
-                if component == 0 && turns.len() < 4 {
-                    turns.push((t, value));
-                }
-                if let Some(cycle) = &mut open {
-                    cycle.amplitude[component] = cycle.amplitude[component].max(value.abs());
-                    if component == 0 {
-                        (cycle.low, cycle.high) = (cycle.low.min(value), cycle.high.max(value));
-                    }
-                }
-            }
-        }
-        if let Some(t) = motion.rise_through_zero(0) {
-            if let Some(cycle) = open.take() {
-                cycles.push(Cycle { period: t - cycle.start, ..cycle });
-                end = judged(&cycles);
-            }
-            open = Some(Cycle { start: t, period: 0.0, low: 0.0, high: 0.0, amplitude: [0.0; N] });
-        }
-        let speed = size::<M, N>(motion.derivative());
-        fastest = fastest.max(speed);
-        if size::<M, N>(motion.state()) < GONE * largest_at_start {
-            end = Some(End::Dies);
-        } else if speed < STILL * fastest {
-            end = Some(End::Stops);
-        }
-        if size::<M, N>(motion.state()) > 1e6 * largest_at_start.max(1.0) {
-            end = Some(End::Grows);
-        }
-    }
-    let end = end.unwrap_or_else(|| {
-        let quiet = cycles.last().is_none_or(|last| motion.time() > last.start + 3.0 * last.period);
-        if quiet { without_cycles::<M, N>(&motion, largest_at_start, fastest) } else { at_horizon(&cycles) }
-    });
-    Ok(Look { motion, cycles, turns, end })
-}
-
-/// Largest state in units of its scale.
-fn size<M: Model<N>, const N: usize>(x: &[f64; N]) -> f64 {
-    (0..N).fold(0.0, |most: f64, i| most.max(x[i].abs() / M::STATE[i].scale))
-}
-
-/// Whether the last cycles tell the end already.
-fn judged<const N: usize>(cycles: &[Cycle<N>]) -> Option<End> {
-    let last = cycles.last()?.amplitude[0];
-    let before = cycles.get(cycles.len().checked_sub(REPEATS + 1)?)?.amplitude[0];
-    if (last - before).abs() < REPEATING * last { Some(End::Repeats) } else { None }
-}
-
-/// The end of a motion that still oscillates at the horizon.
-fn at_horizon<const N: usize>(cycles: &[Cycle<N>]) -> End {
-    let [.., before, last] = cycles else { return End::Repeats };
-    let change = last.amplitude[0] / before.amplitude[0] - 1.0;
-    if change < -HOLDING {
-        End::Dies
-    } else if change > HOLDING && last.amplitude[0] > TRUSTED {
-        End::Grows
-    } else {
-        End::Repeats
-    }
-}
-
-/// The end of a motion that does not oscillate (any more) at the horizon: by where it is and how fast it still goes.
-fn without_cycles<M: Model<N>, const N: usize>(motion: &Integrator<M, N>, start: f64, fastest: f64) -> End {
-    let (size, speed) = (size::<M, N>(motion.state()), size::<M, N>(motion.derivative()));
-    if motion.state()[0].abs() > TRUSTED || (size > start && speed > 0.5 * fastest) {
-        End::Grows
-    } else if size < start {
-        End::Dies
-    } else {
-        End::Stops
     }
 }
 
@@ -318,7 +186,7 @@ fn envelope<M: Model<N>, const N: usize>(look: &Look<M, N>, start: f64) -> Envel
 /// One period from the last rise through zero.
 fn orbit<M: Model<N>, const N: usize>(look: &mut Look<M, N>) -> Result<Columns> {
     let mut columns = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
-    let Some(last) = look.cycles.last() else { return Ok(columns) };
+    let Some(last) = look.destination else { return Ok(columns) };
     let start = look.motion.time();
     for point in 0..=ORBIT {
         let t = start + last.period * point as f64 / ORBIT as f64;

@@ -1,0 +1,162 @@
+//! Following a motion, cycle by cycle, until its end can be told.
+
+use super::{TRUSTED, approach};
+use crate::{
+    error::Result,
+    integrate::{Failure, Integrator, failed},
+    model::Model,
+};
+
+/// A cycle repeats when its amplitude changes by less than this over [`REPEATS`] cycles.
+const REPEATING: f64 = 2e-8;
+const REPEATS: usize = 5;
+/// A motion has died out when it has fallen to this fraction of its start.
+const GONE: f64 = 1e-5;
+/// A motion has stopped when its rate has fallen to this fraction of the largest.
+const STILL: f64 = 1e-6;
+
+/// One cycle, from a rise through zero of the first state to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cycle<const N: usize> {
+    pub start: f64,
+    pub period: f64,
+    pub low: f64,
+    pub high: f64,
+    pub amplitude: [f64; N],
+}
+
+/// How a look ahead ended.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum End {
+    /// The motion repeats.
+    Repeats,
+    /// It gets to nothing.
+    Dies,
+    /// It gets to infinity.
+    Grows,
+    /// It stopped away from the middle.
+    Stops,
+}
+
+/// What was seen.
+pub(super) struct Look<M, const N: usize> {
+    pub motion: Integrator<M, N>,
+    /// The cycles on the way.
+    pub cycles: Vec<Cycle<N>>,
+    /// First turning points of the first state: what is known before a cycle is complete.
+    pub turns: Vec<(f64, f64)>,
+    /// The cycle that it goes to, or the last one seen.
+    pub destination: Option<Cycle<N>>,
+    pub end: End,
+}
+
+/// A motion under observation: its open cycle and its first turns.
+pub(super) struct Watch<M, const N: usize> {
+    pub motion: Integrator<M, N>,
+    open: Option<Cycle<N>>,
+    turns: Vec<(f64, f64)>,
+}
+
+impl<M: Model<N>, const N: usize> Watch<M, N> {
+    pub fn new(motion: Integrator<M, N>) -> Self {
+        Self { motion, open: None, turns: Vec::with_capacity(4) }
+    }
+
+    /// Goes on from another state; the open cycle does not count.
+    pub fn jump(&mut self, x: [f64; N]) -> std::result::Result<(), Failure> {
+        self.open = None;
+        self.motion.restart(self.motion.time(), x)
+    }
+
+    /// Takes a step, and gives the cycle that it completes.
+    pub fn step(&mut self, end: f64) -> std::result::Result<Option<Cycle<N>>, Failure> {
+        self.motion.step(end)?;
+        for component in 0..N {
+            let Some((t, value)) = self.motion.turning_point(component) else { continue };
+            if component == 0 && self.turns.len() < 4 {
+                self.turns.push((t, value));
+            }
+            if let Some(cycle) = &mut self.open {
+                cycle.amplitude[component] = cycle.amplitude[component].max(value.abs());
+                if component == 0 {
+                    (cycle.low, cycle.high) = (cycle.low.min(value), cycle.high.max(value));
+                }
+            }
+        }
+        let Some(t) = self.motion.rise_through_zero(0) else { return Ok(None) };
+        let closed = self.open.take().map(|cycle| Cycle { period: t - cycle.start, ..cycle });
+        self.open = Some(Cycle { start: t, period: 0.0, low: 0.0, high: 0.0, amplitude: [0.0; N] });
+        Ok(closed)
+    }
+}
+
+/// Follows the motion until it repeats, is gone, or the horizon is reached; where it is still on its way then, the way
+/// is cut short ([`approach`]).
+pub(super) fn look_ahead<M: Model<N>, const N: usize>(
+    motion: Integrator<M, N>,
+    horizon: f64,
+    most_steps: u64,
+) -> Result<Look<M, N>> {
+    let mut watch = Watch::new(motion);
+    let mut cycles: Vec<Cycle<N>> = Vec::new();
+    let start = size::<M, N>(watch.motion.state());
+    let mut fastest = size::<M, N>(watch.motion.derivative());
+    let mut end = None;
+    while watch.motion.time() < horizon && end.is_none() && watch.motion.stats().steps < most_steps {
+        let time = watch.motion.time();
+        match watch.step(horizon) {
+            Ok(cycle) => cycles.extend(cycle),
+            Err(Failure::Diverged) => {
+                end = Some(End::Grows);
+                break;
+            }
+            Err(failure) => return Err(failed(failure, time)),
+        }
+        let (size, speed) = (size::<M, N>(watch.motion.state()), size::<M, N>(watch.motion.derivative()));
+        fastest = fastest.max(speed);
+        end = if size < GONE * start {
+            Some(End::Dies)
+        } else if size > 1e6 * start.max(1.0) {
+            Some(End::Grows)
+        } else if speed < STILL * fastest {
+            Some(End::Stops)
+        } else {
+            repeats(&cycles).then_some(End::Repeats)
+        };
+    }
+    let mut destination = cycles.last().copied();
+    let end = match (end, destination) {
+        (Some(end), _) => end,
+        (None, Some(last)) if watch.motion.time() < last.start + 3.0 * last.period => {
+            let (end, cycle) = approach::shortcut(&mut watch, &cycles, most_steps)?;
+            destination = Some(cycle);
+            end
+        }
+        (None, _) => without_cycles::<M, N>(&watch.motion, start, fastest),
+    };
+    Ok(Look { motion: watch.motion, cycles, turns: watch.turns, destination, end })
+}
+
+/// Largest state in units of its scale.
+fn size<M: Model<N>, const N: usize>(x: &[f64; N]) -> f64 {
+    (0..N).fold(0.0, |most: f64, i| most.max(x[i].abs() / M::STATE[i].scale))
+}
+
+/// Whether the last cycles are the same.
+fn repeats<const N: usize>(cycles: &[Cycle<N>]) -> bool {
+    let [.., before, _, _, _, _, last] = cycles else { return false };
+    const { assert!(REPEATS == 5) };
+    (last.amplitude[0] - before.amplitude[0]).abs() < REPEATING * last.amplitude[0]
+}
+
+/// The end of a motion that does not oscillate (any more) at the horizon: by where it is and how fast it still goes.
+fn without_cycles<M: Model<N>, const N: usize>(motion: &Integrator<M, N>, start: f64, fastest: f64) -> End {
+    let (size, speed) = (size::<M, N>(motion.state()), size::<M, N>(motion.derivative()));
+    if motion.state()[0].abs() > TRUSTED || (size > start && speed > 0.5 * fastest) {
+        End::Grows
+    } else if size < start {
+        End::Dies
+    } else {
+        End::Stops
+    }
+}

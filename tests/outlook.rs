@@ -1,0 +1,85 @@
+//! What becomes of a motion, where it is hard to say: near the Hopf points, at rest away from the middle, in the gap.
+#![cfg(not(target_arch = "wasm32"))]
+
+use shimmy::{
+    Run,
+    outlook::{Outlook, Verdict},
+};
+
+/// The gear at 80 m/s with damping `c`, from the torsion angle `psi`.
+fn at_80(c: f64, psi: f64) -> Outlook {
+    gear(&[("velocity", 80.0), ("dampingConstant", c)], psi)
+}
+
+fn gear(parameters: &[(&str, f64)], psi: f64) -> Outlook {
+    let run =
+        parameters.iter().fold(Run::of("torsional").unwrap(), |run, (name, value)| run.with(name, *value).unwrap());
+    run.starting("torsionAngle", psi).unwrap().outlook().unwrap()
+}
+
+#[test]
+fn the_verdict_changes_at_the_critical_damping() {
+    // Closed form (a₂a₁ = a₀ of the linear gear): 48.530 N m s/rad at 80 m/s. Growth there is 0.003 a second: nothing
+    // that six seconds could show.
+    for psi in [0.002, 0.05, 0.3] {
+        assert_eq!(at_80(48.52, psi).verdict, Verdict::Shimmies, "from {psi}");
+        assert_eq!(at_80(48.54, psi).verdict, Verdict::DiesOut, "from {psi}");
+    }
+}
+
+#[test]
+fn the_verdict_changes_at_the_critical_speeds() {
+    // Published linear theory, defaults with c = 20: unstable between 27.600 and 501.75 m/s.
+    for (v, verdict) in
+        [(27.58, Verdict::DiesOut), (27.62, Verdict::Shimmies), (501.0, Verdict::Shimmies), (502.5, Verdict::DiesOut)]
+    {
+        assert_eq!(gear(&[("velocity", v), ("dampingConstant", 20.0)], 0.02).verdict, verdict, "at {v} m/s");
+    }
+}
+
+#[test]
+fn near_the_boundary_the_cycle_is_the_same_from_inside_and_outside() {
+    // 2.145° at c = 48: fixed-step RK4 of the printed equations over 200 s, from either side.
+    for c in [46.0, 48.0, 48.4] {
+        let (inside, outside) = (at_80(c, 0.003), at_80(c, 0.2));
+        assert!((inside.amplitude[0] / outside.amplitude[0] - 1.0).abs() < 1e-5, "c = {c}");
+        assert!((inside.frequency.unwrap() - outside.frequency.unwrap()).abs() < 1e-4);
+    }
+    assert!((at_80(48.0, 0.05).amplitude[0].to_degrees() - 2.145).abs() < 1e-3);
+}
+
+#[test]
+fn a_long_run_agrees_with_the_shortcut() {
+    // c = 47: slow enough that the shortcut is taken (growth 0.08 a second), fast enough that 120 s arrive.
+    let told = at_80(47.0, 0.05).amplitude[0];
+    let run = Run::of("torsional").unwrap().with("velocity", 80.0).unwrap().with("dampingConstant", 47.0).unwrap();
+    let run = run.starting("torsionAngle", 0.05).unwrap().lasting(120.0).unwrap().sampled(2_400_001.0).unwrap();
+    let psi = &run.simulate().unwrap().states[0];
+    let late = psi[psi.len() - 10_000..].iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    // Samples 50 µs apart miss a peak by up to (ω Δt/2)²/2 = 3.5e-5 of it.
+    assert!((late / told - 1.0).abs() < 1e-4, "{late} {told}");
+}
+
+#[test]
+fn a_wheel_that_stops_at_an_angle_rests() {
+    // A wheel that leads its axis, in a gap of ± 1°: the tire holds it against the end of the gap.
+    let parameters =
+        [("velocity", 30.0), ("dampingConstant", 20.0), ("casterLength", -0.2), ("freeplayAngle", 1_f64.to_radians())];
+    for psi in [0.1, 0.001] {
+        let outlook = gear(&parameters, psi);
+        assert_eq!(outlook.verdict, Verdict::Rests, "from {psi}");
+        assert!((outlook.amplitude[0] - 0.02140).abs() < 1e-4, "{}", outlook.amplitude[0]);
+        assert_eq!(outlook.frequency, None);
+    }
+}
+
+#[test]
+fn a_rattle_is_told_from_a_shimmy_by_taking_the_gap_away() {
+    let gap = ("freeplayAngle", 1_f64.to_radians());
+    let rattle = gear(&[("velocity", 50.0), ("dampingConstant", 100.0), gap], 0.05);
+    assert_eq!(rattle.verdict, Verdict::Rattles);
+    assert!((rattle.amplitude[0] - 0.022_268).abs() < 1e-6);
+    let shimmy = gear(&[("velocity", 50.0), ("dampingConstant", 30.0), gap], 0.05);
+    assert_eq!(shimmy.verdict, Verdict::Shimmies);
+    assert!((shimmy.amplitude[0] - 0.235_77).abs() < 1e-5);
+}
