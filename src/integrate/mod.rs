@@ -4,8 +4,8 @@
 //! [`Integrator`] is the one driver that takes steps with any of them, controls the error, finds where a piecewise law
 //! changes and restarts there; a [`Trajectory`] is what comes out. Nothing here allocates within a step.
 //!
-//! To add a method: write its file beside [`dormand_prince`](self), and add its line to [`Method`] and to the driver's
-//! `attempt` and `dense`.
+//! To add a method: write its file beside `dormand_prince.rs`, and add its line to [`Method`] and to the driver's
+//! `attempt` and `prepare_dense`.
 
 mod controller;
 mod dense;

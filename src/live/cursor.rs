@@ -1,6 +1,6 @@
 //! A moment of a live motion, from which it can be taken up.
 
-use super::snapshot::Codec;
+use super::codec::Codec;
 use crate::{
     integrate::{Failure, Integrator},
     model::Model,

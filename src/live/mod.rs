@@ -4,6 +4,7 @@
 //! was is kept as a keyframe every 50 ms and a journal of changes: any past moment is the nearest keyframe and a re-run,
 //! equal to the last bit.
 
+mod codec;
 mod cursor;
 mod journal;
 mod keyframes;
@@ -12,10 +13,10 @@ mod series;
 mod simulator;
 mod snapshot;
 
+pub(crate) use codec::Codec;
 pub(crate) use motion::Motion;
 pub use series::{Columns, Envelope};
 pub use simulator::{Live, Simulator};
-pub(crate) use snapshot::Codec;
 
 /// How far back a motion can be seen, in s.
 pub const REACH: f64 = 60.0;

@@ -3,58 +3,16 @@
 //! Layout, little endian: magic, format version, hash of the model's tables, then every number of the cursor in turn,
 //! then a hash of all that.
 
-use super::cursor::Cursor;
+use super::{
+    codec::{Codec, Reader, Writer},
+    cursor::Cursor,
+};
 use crate::{
     error::{Code, Error, Result},
     model::{Description, Model},
 };
 
 const MAGIC: &[u8; 8] = b"shimmy\0\x01";
-
-/// Writes numbers out, or reads them back into their places: the order is the same, so it is told once.
-pub(crate) trait Codec {
-    /// One number.
-    fn number(&mut self, value: &mut f64);
-    /// One count, set of bits, or index.
-    fn bits(&mut self, value: &mut u64);
-}
-
-struct Writer(Vec<u8>);
-
-impl Codec for Writer {
-    fn number(&mut self, value: &mut f64) {
-        self.0.extend(value.to_le_bytes());
-    }
-    fn bits(&mut self, value: &mut u64) {
-        self.0.extend(value.to_le_bytes());
-    }
-}
-
-struct Reader<'a> {
-    rest: &'a [u8],
-    whole: bool,
-}
-
-impl Reader<'_> {
-    fn next(&mut self) -> [u8; 8] {
-        let Some((first, rest)) = self.rest.split_first_chunk() else {
-            self.whole = false;
-            return [0; 8];
-        };
-        self.rest = rest;
-        *first
-    }
-}
-
-impl Codec for Reader<'_> {
-    fn number(&mut self, value: &mut f64) {
-        *value = f64::from_le_bytes(self.next());
-        self.whole &= value.is_finite();
-    }
-    fn bits(&mut self, value: &mut u64) {
-        *value = u64::from_le_bytes(self.next());
-    }
-}
 
 /// The moment `time` of a cursor.
 pub(super) fn write<M: Model<N>, const N: usize>(cursor: &Cursor<M, N>, time: f64) -> Vec<u8> {

@@ -1,6 +1,6 @@
 //! Where a swing goes that changes too slowly to be followed.
 
-use super::look::{Cycle, End, Watch};
+use super::watch::{Cycle, End, Watch};
 use crate::{error::Result, integrate::failed, model::Model};
 
 /// Cycles after a jump until only the slow motion is left: the others fade within one or two.

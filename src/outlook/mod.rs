@@ -2,10 +2,14 @@
 
 mod approach;
 mod look;
+mod watch;
 
 use serde::Serialize;
 
-use self::look::{End, Look, look_ahead};
+use self::{
+    look::{Look, look_ahead},
+    watch::End,
+};
 use crate::{
     error::{Error, Result},
     integrate::failed,

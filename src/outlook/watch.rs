@@ -1,0 +1,69 @@
+//! A motion under observation: the cycles that it completes.
+
+use crate::{
+    integrate::{Failure, Integrator},
+    model::Model,
+};
+
+/// One cycle, from a rise through zero of the first state to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cycle<const N: usize> {
+    pub start: f64,
+    pub period: f64,
+    pub low: f64,
+    pub high: f64,
+    pub amplitude: [f64; N],
+}
+
+/// How a look ahead ended.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum End {
+    /// The motion repeats.
+    Repeats,
+    /// It gets to nothing.
+    Dies,
+    /// It gets to infinity.
+    Grows,
+    /// It stopped away from the middle.
+    Stops,
+}
+
+/// A motion under observation: its open cycle and its first turns.
+pub(super) struct Watch<M, const N: usize> {
+    pub motion: Integrator<M, N>,
+    open: Option<Cycle<N>>,
+    pub turns: Vec<(f64, f64)>,
+}
+
+impl<M: Model<N>, const N: usize> Watch<M, N> {
+    pub fn new(motion: Integrator<M, N>) -> Self {
+        Self { motion, open: None, turns: Vec::with_capacity(4) }
+    }
+
+    /// Goes on from another state; the open cycle does not count.
+    pub fn jump(&mut self, x: [f64; N]) -> std::result::Result<(), Failure> {
+        self.open = None;
+        self.motion.restart(self.motion.time(), x)
+    }
+
+    /// Takes a step, and gives the cycle that it completes.
+    pub fn step(&mut self, end: f64) -> std::result::Result<Option<Cycle<N>>, Failure> {
+        self.motion.step(end)?;
+        for component in 0..N {
+            let Some((t, value)) = self.motion.turning_point(component) else { continue };
+            if component == 0 && self.turns.len() < 4 {
+                self.turns.push((t, value));
+            }
+            if let Some(cycle) = &mut self.open {
+                cycle.amplitude[component] = cycle.amplitude[component].max(value.abs());
+                if component == 0 {
+                    (cycle.low, cycle.high) = (cycle.low.min(value), cycle.high.max(value));
+                }
+            }
+        }
+        let Some(t) = self.motion.rise_through_zero(0) else { return Ok(None) };
+        let closed = self.open.take().map(|cycle| Cycle { period: t - cycle.start, ..cycle });
+        self.open = Some(Cycle { start: t, period: 0.0, low: 0.0, high: 0.0, amplitude: [0.0; N] });
+        Ok(closed)
+    }
+}
