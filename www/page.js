@@ -46,6 +46,7 @@ export class Page extends LitElement {
   #store = new Store(firstState());
   #frame = 0;
   #outlookAt = -Infinity;
+  /** @type {import('./engine/engine.js').Outlook | null} */ #shown = null;
   #linkTimer = 0;
   /** @type {import('./style/theme.js').Theme | null} */ #theme = null;
 
@@ -360,8 +361,10 @@ export class Page extends LitElement {
    */
   #look(session, now) {
     const isDue = now - this.#outlookAt >= outlookPause;
-    if (!session.isStale && !isDue) return;
-    if (session.isStale || (this.#clock.isPlaying && !session.outlook.settled)) session.refresh();
+    if (session.isStale || (isDue && this.#clock.isPlaying && !session.outlook.settled)) session.refresh();
+    // A hand that lets go has the session look ahead by itself, so the outlook is asked for and not who made it.
+    if (!isDue && session.outlook === this.#shown) return;
+    this.#shown = session.outlook;
     if (isDue) this.#outlookAt = now;
     for (const element of this.querySelectorAll('shimmy-stage, shimmy-phase-lens, shimmy-notice'))
       Object.assign(element, { outlook: session.outlook, time: session.time, frequency: session.frequency });

@@ -173,6 +173,18 @@ test('the clock pauses, steps, scrubs back and starts anew', async () => {
   await leave();
 });
 
+test('while it stands still the words follow every change, however quick', async () => {
+  const { page, leave } = await open(browser, server.address);
+  await untilVerdict(page, 'It shimmies');
+  await page.keyboard.press(' ');
+  await page.getByRole('button', { name: 'Play' }).waitFor();
+  await type(page, 'dampingConstant', '31');
+  for (const key of ['ArrowUp', 'ArrowUp', 'ArrowUp', 'Shift+ArrowUp']) await page.keyboard.press(key);
+  await page.locator('.verdict-numbers', { hasText: 'heads for ±6.4°' }).waitFor({ timeout: 5000 });
+  await page.locator('.destination', { hasText: '±6.434°' }).waitFor({ timeout: 5000 });
+  await leave();
+});
+
 test('a wheel at rest is kicked', async () => {
   const { page, leave } = await open(browser, `${server.address}#shimmy=1&velocity=80&dampingConstant=60`);
   await untilVerdict(page, 'It rests');
