@@ -137,12 +137,33 @@ test('the run’s band is as wide as it swings, solid before now and faint after
   const { context, named } = recordingContext();
   const envelope = (/** @type {number[]} */ time) => ({ time, low: time.map(() => -0.1), high: time.map(() => 0.1) });
   drawRunEnvelope(context, box, {
-    past: envelope([0.1, 0.2]), future: envelope([0.25, 0.5]), from: 0, to: 1, now: 0.25, limit: 0.2, bracket: [0.17, 0.27],
+    past: envelope([0.1, 0.2]), future: envelope([0.25, 0.5]), from: 0, to: 1, now: 0.25, bracket: [0.17, 0.27],
   }, theme);
   const [future, past] = named('fill');
   assert.ok(past.style.globalAlpha > 2 * future.style.globalAlpha);
   const heights = named('lineTo').filter(({ style }) => style.fillStyle === theme.psi && style.globalAlpha < 1).map(({ args }) => args[1]);
-  for (const edge of [65, 115]) assert.ok(heights.some((height) => Math.abs(height - edge) < 1e-9), `half of the axis, at ${edge}`);
+  for (const edge of [90 - 50 / 1.2, 90 + 50 / 1.2]) assert.ok(heights.some((height) => Math.abs(height - edge) < 1e-9), `0.1 of 0.12, at ${edge}`);
   const [[bracketLeft, , bracketWidth]] = named('strokeRect').map(({ args }) => args);
   assert.ok(Math.abs(bracketLeft - 179.5) < 1 && Math.abs(bracketWidth - 70) <= 1);
+});
+
+test('the run’s band stays in its lane, whatever the past was and the future will be, and does not jump at now', () => {
+  const envelope = (/** @type {number[]} */ time, /** @type {number[]} */ width) => ({ time, low: width.map((w) => -w), high: width });
+  for (const [past, future] of [[[0.3, 0.27], [0.2, 0.001]], [[0.02, 0.05], [0.3, 80]], [[0, 0], [0, 0]]]) {
+    const { context, calls, named } = recordingContext();
+    drawRunEnvelope(context, box, {
+      past: envelope([0.1, 0.25], past), future: envelope([0.24, 0.5], future), from: 0, to: 1, now: 0.25, bracket: [0.17, 0.27],
+    }, theme);
+    for (const { args: [left, top, width, height] } of named('rect'))
+      assert.ok(left >= box.left && left + width <= box.right && top >= box.top && top + height <= box.bottom, 'drawn beyond the lane');
+    assert.equal(named('clip').length, 2);
+    const edge = (/** @type {number} */ band) => {
+      const starts = calls.flatMap(({ name }, i) => (name === 'moveTo' ? [i] : []));
+      return calls.slice(starts[band], calls.findIndex(({ name }, i) => i > starts[band] && name === 'closePath'));
+    };
+    const now = box.left + 0.25 * (box.right - box.left);
+    const [comes, was] = [edge(1), edge(2)].map((lines) => lines.filter(({ args }) => Math.abs(args[0] - now) < 1e-6).map(({ args }) => args[1]));
+    assert.equal(Math.min(...comes), Math.min(...was), 'the bands do not meet');
+    for (const { args: [, y] } of edge(2)) assert.ok(y >= box.top && y <= box.bottom, 'the past is cut');
+  }
 });

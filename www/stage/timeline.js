@@ -92,9 +92,9 @@ export class Timeline extends LitElement {
   };
 
   /** @param {CanvasRenderingContext2D} context @param {Box} box @param {Scene} scene @param {Theme} theme @param {Voice} voice @param {boolean} hasWords */
-  #paintRun(context, box, { run, time, scales }, theme, voice, hasWords) {
+  #paintRun(context, box, { run, time }, theme, voice, hasWords) {
     const [from, to] = this.#moment;
-    drawRunEnvelope(context, box, { ...run, now: time, limit: scales.limits.angle, bracket: [time + from, time + to] }, theme);
+    drawRunEnvelope(context, box, { ...run, now: time, bracket: [time + from, time + to] }, theme);
     context.font = textFont(theme, 0.9);
     context.fillStyle = theme.ink2;
     context.textBaseline = 'middle';

@@ -1,4 +1,4 @@
-import { linear } from './scale.js';
+import { linear, roundLimit } from './scale.js';
 
 /**
  * @typedef {import('../style/theme.js').Theme} Theme
@@ -6,9 +6,14 @@ import { linear } from './scale.js';
  * @typedef {{ time: ArrayLike<number>, low: ArrayLike<number>, high: ArrayLike<number> }} Envelope
  *   the least and the largest ψ about each time, ascending
  * @typedef {{
- *   past: Envelope, future: Envelope, from: number, to: number, now: number, limit: number, bracket: [number, number],
- * }} Run times in s of the run, `limit` in rad
+ *   past: Envelope, future: Envelope, from: number, to: number, now: number, bracket: [number, number],
+ * }} Run times in s of the run
  */
+
+/** A future that grows without end is cut here, in rad, or the past would be a line. */
+const widestFuture = 1;
+/** A wheel at rest still has an axis, in rad. */
+const least = 1e-4;
 
 /**
  * The whole run at a glance: how wide it swung, how wide it will if nothing changes, and which part is shown below.
@@ -19,7 +24,8 @@ import { linear } from './scale.js';
  */
 export function drawRunEnvelope(context, box, run, theme) {
   const x = linear([run.from, run.to], [box.left, box.right]);
-  const y = linear([-run.limit, run.limit], [box.bottom, box.top]);
+  const limit = limitOf(run);
+  const y = linear([-limit, limit], [box.bottom, box.top]);
   const now = x(run.now);
 
   context.strokeStyle = theme.rule;
@@ -31,9 +37,9 @@ export function drawRunEnvelope(context, box, run, theme) {
 
   context.fillStyle = theme.psi;
   context.globalAlpha = theme.scheme === 'dark' ? 0.32 : 0.24;
-  fillBetween(context, run.future, x, y, now, box.right);
+  fillBetween(context, joined(run), x, y, { ...box, left: now });
   context.globalAlpha = theme.scheme === 'dark' ? 0.8 : 0.78;
-  fillBetween(context, run.past, x, y, box.left, now - 0.5);
+  fillBetween(context, run.past, x, y, { ...box, right: Math.min(now - 0.5, box.right) });
   context.globalAlpha = 1;
 
   const [from, to] = run.bracket.map(x);
@@ -44,16 +50,45 @@ export function drawRunEnvelope(context, box, run, theme) {
 }
 
 /**
- * The band between least and largest, cut to [from, to] and held beyond its first and last point.
- * @param {CanvasRenderingContext2D} context @param {Envelope} envelope
- * @param {(v: number) => number} x @param {(v: number) => number} y @param {number} from @param {number} to
+ * The end of the axis: it holds all that the lane shows, so the plots below may be fitted to a small swing while a
+ * large one is still remembered.
+ * @param {Run} run
  */
-function fillBetween(context, { time, low, high }, x, y, from, to) {
+function limitOf({ past, future }) {
+  const widest = (/** @type {Envelope} */ { low, high }) => {
+    let most = 0;
+    for (let i = 0; i < high.length; i++) most = Math.max(most, high[i], -low[i]);
+    return most;
+  };
+  return roundLimit(Math.max(widest(past), Math.min(widest(future), widestFuture), least));
+}
+
+/**
+ * What comes, from the present on: the past looks back by a cycle and the future ahead by one, and between them a
+ * growing swing would seem to jump.
+ * @param {Run} run
+ * @returns {Envelope}
+ */
+function joined({ past, future, now }) {
+  const last = past.time.length - 1;
+  if (last < 1) return future;
+  let next = 0;
+  while (next < future.time.length && future.time[next] <= now) next++;
+  const from = (/** @type {number} */ present, /** @type {ArrayLike<number>} */ series) => [present, ...Array.from(series).slice(next)];
+  return { time: from(now, future.time), low: from(past.low[last], future.low), high: from(past.high[last], future.high) };
+}
+
+/**
+ * The band between least and largest, cut to the box and held beyond its first and last point.
+ * @param {CanvasRenderingContext2D} context @param {Envelope} envelope
+ * @param {(v: number) => number} x @param {(v: number) => number} y @param {Box} box
+ */
+function fillBetween(context, { time, low, high }, x, y, { left: from, right: to, top: ceiling, bottom: floor }) {
   const last = time.length - 1;
   if (last < 0 || to <= from) return;
   context.save();
   context.beginPath();
-  context.rect(from, -1e4, to - from, 2e4);
+  context.rect(from, ceiling, to - from, floor - ceiling);
   context.clip();
   // At least a hairline, so that a wheel at rest is seen to be there.
   const top = (/** @type {number} */ i) => Math.min(y(high[i]), y(0) - 0.75);
