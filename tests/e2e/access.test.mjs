@@ -24,6 +24,20 @@ after(async () => {
   server.close();
 });
 
+for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024], [720, 450], [390, 844], [390, 667]])
+  test(`wheel, verdict and the damping's slider share the screen at ${width} × ${height}, scrolled or not`, async () => {
+    const { page, leave } = await open(browser, server.address, { viewport: { width, height } });
+    await untilVerdict(page, 'It shimmies');
+    for (const down of [0, 10_000]) {
+      await page.evaluate((top) => window.scrollTo(0, top), down);
+      for (const what of ['.gear', 'shimmy-verdict h1', 'shimmy-dock [data-name="dampingConstant"] .slider']) {
+        const box = await page.locator(what).boundingBox();
+        assert.ok(box && box.height > 20 && box.y >= 0 && box.y + box.height <= height, `${what}, scrolled by ${down}: ${JSON.stringify(box)}`);
+      }
+    }
+    await leave();
+  });
+
 /** @param {import('playwright-core').Page} page @returns {Promise<string[]>} */
 async function violations(page) {
   await page.evaluate(axe);

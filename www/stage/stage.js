@@ -30,6 +30,7 @@ export class Stage extends LitElement {
     slow: { attribute: false },
     step: { attribute: false },
     failure: { attribute: false },
+    isStopped: { attribute: false },
     outlook: { attribute: false },
     time: { attribute: false },
     frequency: { attribute: false },
@@ -47,6 +48,8 @@ export class Stage extends LitElement {
     this.slow = 50;
     this.step = 0.001;
     this.failure = '';
+    /** Whether the run has left what can be computed. */
+    this.isStopped = false;
     /** @type {Outlook | null} */ this.outlook = null;
     this.time = 0;
     /** @type {number | null} */ this.frequency = null;
@@ -132,6 +135,7 @@ export class Stage extends LitElement {
   /** @param {Voice} voice */
   #message(voice) {
     if (this.failure) return voice.say('engine.refused', { reason: this.failure });
+    if (this.isStopped) return voice.say('verdict.stopped');
     return !this.isReady && this.isSlowToStart ? voice.say('engine.starting') : '';
   }
 
@@ -142,12 +146,12 @@ export class Stage extends LitElement {
   }
 }
 
-const phone = matchMedia('(max-width: 699px)');
+const topViewOnly = matchMedia('(max-width: 699px), (max-height: 639px)');
 const projector = matchMedia('(min-width: 1000px) and (max-width: 1099px) and (min-height: 640px)');
 
 /** @returns {import('./gear/scene.js').LayoutName} the layout in force, as style/layout.css has it */
 function layoutName() {
-  return phone.matches ? 'phone' : projector.matches ? 'projector' : 'desktop';
+  return topViewOnly.matches ? 'phone' : projector.matches ? 'projector' : 'desktop';
 }
 
 customElements.define('shimmy-stage', Stage);
