@@ -5,6 +5,7 @@
  * scene; controls tell it what a hand does.
  */
 
+import { Odometer } from './stage/odometer.js';
 import { PastEnvelope } from './stage/past-envelope.js';
 import { limitsFor, magnificationFor, spanFor, stillFits } from './stage/fit.js';
 import { roundLimit, roundStep } from './view/scale.js';
@@ -44,7 +45,7 @@ export class Session {
   /** @type {Record<string, number>} */ #applied = {};
   #lookedAt = 0;
   #isStale = false;
-  #roll = 0;
+  #odometer = new Odometer();
 
   /**
    * @param {Engine} engine
@@ -86,6 +87,7 @@ export class Session {
    */
   advance(seconds) {
     if (!(seconds > 0)) return;
+    this.#odometer.drive(this.time, this.#applied.velocity, this.#simulator.range[0]);
     this.#move(() => this.#simulator.advance(seconds));
   }
 
@@ -159,11 +161,11 @@ export class Session {
 
   /**
    * Everything a drawing of this instant needs, in SI units and radians.
-   * @param {{ moment: [number, number], trackSpan: number, stretches: number }} wanted
-   *   `moment`: the window around now, in s; `trackSpan`: how much of the past the ground still shows, in s;
+   * @param {{ moment: [number, number], trackLength: number, stretches: number }} wanted
+   *   `moment`: the window around now, in s; `trackLength`: how much of the ground behind is still seen, in m;
    *   `stretches`: how finely the whole run is shown
    */
-  scene({ moment, trackSpan, stretches }) {
+  scene({ moment, trackLength, stretches }) {
     const simulator = this.#simulator;
     const { time } = simulator;
     const [earliest] = simulator.range;
@@ -173,7 +175,8 @@ export class Session {
     const since = (/** @type {number} */ span) => Math.max(earliest, time - span);
     const past = simulator.history(since(-moment[0]), time, 240);
     const orbitPast = simulator.history(since(pastCycles * beat), time, pastCycles * samplesPerCycle);
-    const track = simulator.history(since(trackSpan), time, 120);
+    const roll = this.#odometer.distanceAt(time);
+    const track = simulator.history(Math.max(earliest, this.#odometer.timeAt(roll - trackLength)), time, 120);
     const ahead = this.#envelopeAhead();
     const span = spanFor(ahead, time, simulator.range);
     const stretch = Math.max((span.to - span.from) / stretches, roundStep(beat));
@@ -184,12 +187,12 @@ export class Session {
       forces: this.#engine.forces(parameters, state),
       past,
       orbitPast,
-      track,
+      track: { ...track, distance: track.time.map((at) => this.#odometer.distanceAt(at)) },
       future: this.#nextMoment(parameters, state, moment[1]),
       run: { ...span, past: this.#past.upTo(simulator, span.from, stretch), future: ahead },
       extremes: extremes(past, time - beat),
       trail: [3, 2, 1].map((twelfths) => poseAt(past, time - (twelfths * beat) / 12)).filter((pose) => pose !== null),
-      roll: this.#roll,
+      roll,
       outlook: this.outlook,
       scales: this.scales,
     };
@@ -200,20 +203,18 @@ export class Session {
     const simulator = new this.#engine.Simulator({ model: object, parameters, initial: run.initial, maxSteps: stepsOfFrame });
     this.#applied = simulator.parameters();
     this.#past.clear();
-    this.#roll = 0;
+    this.#odometer = new Odometer();
     this.failure = null;
     return simulator;
   }
 
   /** @param {() => void} step */
   #move(step) {
-    const before = this.#simulator.time;
     try {
       step();
     } catch (error) {
       this.failure = error;
     }
-    this.#roll += this.#applied.velocity * (this.#simulator.time - before);
   }
 
   #lookAhead() {

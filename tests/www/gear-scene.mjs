@@ -35,6 +35,7 @@ export const sizes = {
  */
 export function sceneOf({ psi = 0, y = 0, swing = 0.2, shift = 0.6 }, changes = {}) {
   const now = 0.5;
+  const roll = changes.roll ?? 40;
   const time = Float64Array.from({ length: 300 }, (_, i) => now - (0.03 * (299 - i)) / 299);
   const wave = (/** @type {number} */ t, /** @type {number} */ ahead) =>
     Math.sin(2 * Math.PI * 50 * (t - now) + ahead) - Math.sin(ahead);
@@ -55,12 +56,11 @@ export function sceneOf({ psi = 0, y = 0, swing = 0.2, shift = 0.6 }, changes = 
       springTorque: 1e5 * springAngle,
     },
     track: {
-      time,
+      distance: time.map((t) => roll - parameters.velocity * (now - t)),
       torsionAngle: time.map((t) => psi + swing * wave(t, 0)),
       lateralDeformation: time.map((t) => y + 0.2 * swing * wave(t, shift)),
     },
-    now,
-    roll: 40,
+    roll,
     exposure: 0.027,
     extremes: [-swing, swing],
     magnification: 1,

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { bendAt, contactLine, traceBehind } from '../../www/stage/gear/contact-line.js';
-import { sheetFor, trackSpan } from '../../www/stage/gear/sheet.js';
+import { sheetFor, trackLength } from '../../www/stage/gear/sheet.js';
 import { grabTarget } from '../../www/stage/gear/grab.js';
 import { onSheet, poseNow } from '../../www/stage/gear/pose.js';
 import { DEGREE, record, sceneOf, sizes, theme } from './gear-scene.mjs';
@@ -70,7 +70,7 @@ test('the track leaves the wheel along the string’s tangent where the contact 
 
 test('without a past the tire still stands', () => {
   const none = new Float64Array();
-  const track = { time: none, torsionAngle: none, lateralDeformation: none };
+  const track = { distance: none, torsionAngle: none, lateralDeformation: none };
   const scene = sceneOf({ psi: 0.1, y: 0.02 }, { track });
   const pose = poseNow(scene);
   const line = contactLine(traceBehind(scene, pose, 1), pose);
@@ -81,9 +81,9 @@ test('without a past the tire still stands', () => {
 test('the track that is asked for reaches the left edge', () => {
   const scene = sceneOf({});
   const sheet = sheetFor(sizes.desktop, scene);
-  const span = trackSpan(sizes.desktop, scene);
+  const length = trackLength(sizes.desktop, scene);
   const leading = sheet.axis.x / sheet.scale + scene.parameters.halfContactLength - scene.parameters.casterLength;
-  near(span * 80, leading);
+  near(length, leading);
 });
 
 test('the wheel can be grabbed where it is drawn', () => {

@@ -25,7 +25,7 @@ function opened() {
 }
 
 /** @type {Parameters<Session['scene']>[0]} */
-const wanted = { moment: [-0.08, 0.02], trackSpan: 0.02, stretches: 200 };
+const wanted = { moment: [-0.08, 0.02], trackLength: 1.2, stretches: 200 };
 
 test('the page opens on a gear that shimmies', () => {
   const { session } = opened();
@@ -47,6 +47,20 @@ test('a scene holds numbers only, at the start, on the way, and back', () => {
     assert.ok(Math.abs(past.torsionAngle[past.torsionAngle.length - 1] - state[0]) < 1e-9, 'the past ends now');
     assert.ok(Math.abs(future.torsionAngle[0] - state[0]) < 1e-12, 'the future begins now');
   }
+});
+
+test('the ground behind keeps the speed it was driven at', () => {
+  const { session } = opened();
+  session.advance(0.5);
+  const before = session.scene(wanted);
+  session.set('velocity', 10, null);
+  const after = session.scene(wanted);
+  assert.ok(Math.abs(after.roll - 40) < 1e-9);
+  assert.deepEqual(after.track, before.track);
+  session.advance(0.01);
+  const { roll, track } = session.scene(wanted);
+  assert.ok(Math.abs(roll - 40.1) < 1e-9);
+  assert.ok(Math.abs(roll - track.distance[0] - wanted.trackLength) < 1e-9, 'the track is as long as it is seen');
 });
 
 test('a refused value changes nothing and says why', () => {

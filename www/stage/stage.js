@@ -6,7 +6,7 @@ import './verdict.js';
 import { kickImpulse } from '../session.js';
 import { gearEn, gearTr } from '../words/gear.js';
 import { gearAtRest } from './at-rest.js';
-import { drawGear, trackSpan } from './gear/draw.js';
+import { drawGear, trackLength } from './gear/draw.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
@@ -81,7 +81,7 @@ export class Stage extends LitElement {
     const size = this.#canvas?.size ?? { width: 836, height: 500 };
     return {
       moment: this.#moment,
-      trackSpan: trackSpan(size, { layout: layoutName(), parameters: this.#scene?.parameters ?? gearAtRest.parameters }),
+      trackLength: trackLength(size, { layout: layoutName(), parameters: this.#scene?.parameters ?? gearAtRest.parameters }),
       stretches: Math.max(60, Math.round(size.width / 3)),
     };
   }
@@ -122,10 +122,9 @@ export class Stage extends LitElement {
     const scene = this.#scene;
     const layout = layoutName();
     if (!scene) return { ...gearAtRest, layout };
-    const { state, parameters, forces, track, time, roll, extremes, trail, scales } = scene;
+    const { state, parameters, forces, track, roll, extremes, trail, scales } = scene;
     return {
       state, parameters, forces, track, roll, extremes, trail, layout,
-      now: time,
       exposure: parameters.velocity / (this.slow * framesPerSecond),
       magnification: scales.magnification,
       forceScale: scales.forces,

@@ -34,20 +34,19 @@ const SPACING = 0.007;
  * @returns {Trace}
  */
 export function traceBehind(scene, pose, length) {
-  const { time, torsionAngle, lateralDeformation } = scene.track;
-  const velocity = scene.parameters.velocity ?? 0;
+  const { distance, torsionAngle, lateralDeformation } = scene.track;
   const lead = pose.half - pose.caster;
   let x = lead * pose.cos - pose.deformation * pose.sin;
   let y = lead * pose.sin + pose.deformation * pose.cos;
   const end = x - length;
   const xs = [x];
   const ys = [y];
-  for (let i = time.length - 1; i >= 0 && x > end; i--) {
-    const age = scene.now - time[i];
-    if (!(age > 0)) continue;
+  for (let i = distance.length - 1; i >= 0 && x > end; i--) {
+    const rolled = scene.roll - distance[i];
+    if (!(rolled > 0)) continue;
     const angle = drawnAngle(scene, torsionAngle[i]);
     const deformation = drawnDeformation(scene, lateralDeformation[i]);
-    const px = lead * Math.cos(angle) - deformation * Math.sin(angle) - velocity * age;
+    const px = lead * Math.cos(angle) - deformation * Math.sin(angle) - rolled;
     const py = lead * Math.sin(angle) + deformation * Math.cos(angle);
     if (Math.abs(px - x) < SPACING && Math.abs(py - y) < SPACING) continue;
     xs.push((x = px));

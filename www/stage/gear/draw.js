@@ -24,7 +24,7 @@ import { drawTire, drawTrail, tireShape } from './tire.js';
 import { blockMovingParts, writeTopLabels, writeTopNotes } from './top-labels.js';
 import { drawTrack } from './track.js';
 
-export { sheetFor, trackSpan } from './sheet.js';
+export { sheetFor, trackLength } from './sheet.js';
 
 /** @typedef {import('./scene.js').Scene} Scene */
 /** @typedef {import('./scene.js').Size} Size */

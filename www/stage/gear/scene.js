@@ -31,11 +31,11 @@
  */
 
 /**
- * The past, ascending in time and ending at or before now. {@link trackSpan} in sheet.js says how
+ * The past, oldest first and ending at or before now. {@link trackLength} in sheet.js says how
  * much of it can be seen.
  *
  * @typedef {object} Track
- * @property {Float64Array} time [s]
+ * @property {Float64Array} distance that the wheel had rolled by then [m]
  * @property {Float64Array} torsionAngle ψ [rad]
  * @property {Float64Array} lateralDeformation y [m]
  */
@@ -47,7 +47,6 @@
  *   freeplay has no `freeplayAngle`
  * @property {Forces} forces
  * @property {Track} track
- * @property {number} now time of the state [s]
  * @property {number} roll distance rolled so far [m]
  * @property {number} exposure ground traveled in one frame [m], the length of a speckle's streak
  * @property {readonly [number, number] | null} extremes lowest and highest ψ of the last cycle [rad]

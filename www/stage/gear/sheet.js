@@ -120,14 +120,13 @@ export function sheetFor(size, scene) {
 }
 
 /**
- * The past that the sheet can show [s]: the time in which a point on the ground crosses it.
+ * How far behind the leading contact point the sheet still shows the ground [m].
  *
  * @param {Size} size
  * @param {Pick<Scene, 'layout' | 'parameters'>} scene
  */
-export function trackSpan(size, scene) {
+export function trackLength(size, scene) {
   const sheet = sheetFor(size, scene);
-  const { casterLength = 0, halfContactLength = 0, velocity = 0 } = scene.parameters;
-  const visible = sheet.axis.x / sheet.scale + halfContactLength - casterLength;
-  return visible / Math.max(velocity, 1e-3);
+  const { casterLength = 0, halfContactLength = 0 } = scene.parameters;
+  return sheet.axis.x / sheet.scale + halfContactLength - casterLength;
 }
