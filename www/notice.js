@@ -3,12 +3,12 @@ import { LitElement, html } from 'lit';
 /**
  * @typedef {import('./words/voice.js').Voice} Voice
  * @typedef {import('./link.js').Problem} Problem
- * @typedef {{ text: string, isAlert: boolean }} Note
+ * @typedef {{ text: string, isAlert: boolean, isStop?: boolean, canUndo?: boolean }} Note `isStop`: stands as long as the run is stopped
  */
 
 /**
  * The strip above the lens: what to try with the motion as it is, or a note in its place while there is something to
- * say. The note's own button asks for a `close`.
+ * say. The note's own buttons ask for a `close` or an `undo`.
  */
 export class Notice extends LitElement {
   static properties = { voice: { attribute: false }, notes: { attribute: false }, outlook: { attribute: false } };
@@ -34,7 +34,8 @@ export class Notice extends LitElement {
       </div>`;
     return html`
       <div class="story note">
-        ${notes.map(({ text, isAlert }) => html`<p role=${isAlert ? 'alert' : 'status'}>${text}</p>`)}
+        <div>${notes.map(({ text, isAlert, canUndo }) => html`<p role=${isAlert ? 'alert' : 'status'}>${text}</p>${canUndo ? html`
+          <button type="button" class="framed" @click=${() => this.dispatchEvent(new CustomEvent('undo'))}>${voice.say('header.undo')}</button>` : ''}`)}</div>
         <button type="button" class="plain icon" aria-label=${voice.say('notice.close')} title=${voice.say('notice.close')}
           @click=${() => this.dispatchEvent(new CustomEvent('close'))}>✕</button>
       </div>`;

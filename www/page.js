@@ -6,7 +6,7 @@ import './controls/drawer.js';
 import './lens/phase.js';
 import './lens/tabs.js';
 import './stage/stage.js';
-import { Quantity } from './controls/quantity.js';
+import { Quantity, nameOf } from './controls/quantity.js';
 import { loadEngine } from './engine/engine.js';
 import { keep, recall } from './keep.js';
 import { lenses } from './lens/lenses.js';
@@ -45,6 +45,8 @@ export class Page extends LitElement {
   #clock = new Clock(slowRateFor(null));
   #store = new Store(firstState());
   #frame = 0;
+  /** The last picture with no value far beyond its slider. @type {import('./session.js').Scene | null} */ #soundScene = null;
+  /** The failure that a note tells of. @type {unknown} */ #toldOf = null;
   #outlookAt = -Infinity;
   /** @type {import('./engine/engine.js').Outlook | null} */ #shown = null;
   #linkTimer = 0;
@@ -98,7 +100,7 @@ export class Page extends LitElement {
           @rate=${(/** @type {CustomEvent} */ event) => this.#store.update({ clock: { slow: event.detail } })}
           @seek=${(/** @type {CustomEvent} */ event) => this.#seek(event.detail)} @settle=${this.#settle}></shimmy-stage>
         <section class="lens" aria-label=${voice.say('lens.name')}>
-          <shimmy-notice .voice=${voice} .notes=${this.notes} @close=${() => { this.notes = []; }}></shimmy-notice>
+          <shimmy-notice .voice=${voice} .notes=${this.notes} @undo=${() => this.#walk('undo')} @close=${() => { this.notes = []; }}></shimmy-notice>
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}
             @lens=${(/** @type {CustomEvent} */ event) => this.#store.update({ lens: event.detail })}></shimmy-lens-tabs>
           <shimmy-phase-lens id="lens-panel" role="tabpanel" aria-labelledby="tab-${lens}" .voice=${voice}
@@ -332,12 +334,14 @@ export class Page extends LitElement {
       stage.drawAtRest(this.#theme);
       return;
     }
-    try {
-      this.#run(session, stage, this.#theme, now);
-    } catch (error) {
-      session.failure = error;
+    if (!session.failure) {
+      try {
+        this.#run(session, stage, this.#theme, now);
+      } catch (error) {
+        session.failure = error;
+      }
     }
-    if (session.failure) this.#stop(session);
+    this.#tellOfStop(session, stage, this.#theme);
     if (this.#clock.isPlaying) this.#wake();
   }
 
@@ -351,8 +355,27 @@ export class Page extends LitElement {
     session.advance(this.#clock.elapse(now / 1000));
     this.#look(session, now);
     const scene = session.scene(stage.wanted);
+    if (this.#wildValues(scene.parameters).length === 0) this.#soundScene = scene;
+    this.#draw(scene, stage, theme);
+  }
+
+  /**
+   * @param {import('./session.js').Scene} scene
+   * @param {import('./stage/stage.js').Stage} stage
+   * @param {import('./style/theme.js').Theme} theme
+   */
+  #draw(scene, stage, theme) {
     stage.draw(scene, theme);
-    /** @type {import('./lens/phase.js').PhaseLens | null} */ (this.querySelector('shimmy-phase-lens'))?.draw(scene, theme);
+    this.#lens?.draw(scene, theme);
+  }
+
+  get #lens() {
+    return /** @type {import('./lens/phase.js').PhaseLens | null} */ (this.querySelector('shimmy-phase-lens'));
+  }
+
+  /** @param {Readonly<Record<string, number>>} parameters */
+  #wildValues(parameters) {
+    return this.#quantities.filter((quantity) => quantity.isFar(parameters[quantity.name]));
   }
 
   /**
@@ -371,15 +394,35 @@ export class Page extends LitElement {
   }
 
   /**
-   * The run left what can be computed: it stands at its last good instant and says why, until something changes.
+   * A run that left what can be computed stands at its last good picture and says why, until something changes.
    * @param {Session} session
+   * @param {import('./stage/stage.js').Stage} stage
+   * @param {import('./style/theme.js').Theme} theme
    */
-  #stop(session) {
-    session.failure = null;
-    this.#clock.pause();
-    const text = this.#voice.say('engine.stopped', { time: this.#voice.number(session.time, 3) });
-    // Said once: a note set anew would ask for the next frame, which would fail again.
-    if (this.notes[0]?.text !== text) this.notes = [{ text, isAlert: true }];
+  #tellOfStop(session, stage, theme) {
+    stage.isStopped = session.failure !== null;
+    if (session.failure) {
+      this.#shown = null;
+      if (this.#lens) this.#lens.outlook = null;
+      stage.frequency = this.#soundScene?.outlook.present.frequency ?? null;
+      if (this.#soundScene) this.#draw(this.#soundScene, stage, theme);
+      else stage.drawAtRest(theme);
+    }
+    if (session.failure === this.#toldOf && !(session.failure && this.#clock.isPlaying)) return;
+    this.#toldOf = session.failure;
+    if (session.failure) this.#clock.pause();
+    const others = this.notes.filter(({ isStop }) => !isStop);
+    this.notes = session.failure ? [{ text: this.#whyStopped(session), isAlert: true, isStop: true, canUndo: this.#store.canUndo }] : others;
+  }
+
+  /** @param {Session} session */
+  #whyStopped(session) {
+    const voice = this.#voice;
+    const { parameters } = this.#store.state;
+    const time = voice.number(session.time, 3);
+    const cause = this.#wildValues(parameters)
+      .map((quantity) => `${nameOf(quantity, voice)} = ${quantity.write(parameters[quantity.name], voice)}`).join(', ');
+    return cause ? voice.say('engine.stopped.by', { time, cause }) : voice.say('engine.stopped', { time });
   }
 }
 

@@ -44,6 +44,7 @@ export class Session {
   /** @type {Simulator} */ #simulator;
   /** @type {Record<string, number>} */ #applied = {};
   #lookedAt = 0;
+  #changedAt = 0;
   #isStale = false;
   #odometer = new Odometer();
 
@@ -58,9 +59,9 @@ export class Session {
     this.failure = null;
     this.#simulator = this.#begin();
     /** What becomes of the motion if nothing changes. @type {Outlook} */
-    this.outlook = this.#lookAhead();
+    this.outlook = this.#tried(() => this.#lookAhead()) ?? nothingAhead;
     /** How large things are drawn: see `fit`. */
-    this.scales = this.#fitted();
+    this.scales = this.#tried(() => this.#fitted()) ?? { magnification: 1, limits: limitsFor({ angle: 0, rate: 0 }), forces: { force: 1, moment: 1 } };
     store.subscribe((state, before) => this.#follow(state, before));
   }
 
@@ -77,7 +78,7 @@ export class Session {
   restart() {
     this.#simulator.free();
     this.#simulator = this.#begin();
-    this.outlook = this.#lookAhead();
+    this.refresh();
     this.fit();
   }
 
@@ -86,7 +87,7 @@ export class Session {
    * @param {number} seconds
    */
   advance(seconds) {
-    if (!(seconds > 0)) return;
+    if (!(seconds > 0) || this.failure) return;
     this.#odometer.drive(this.time, this.#applied.velocity, this.#simulator.range[0]);
     this.#move(() => this.#simulator.advance(seconds));
   }
@@ -108,6 +109,7 @@ export class Session {
   }
 
   kick() {
+    if (this.failure) return;
     this.#simulator.kick(kickImpulse);
     this.refresh();
     this.fit();
@@ -122,13 +124,10 @@ export class Session {
    */
   set(name, value, gesture) {
     try {
-      this.#simulator.set(name, value);
+      this.#apply(name, value);
     } catch (error) {
       return /** @type {Refusal} */ (error);
     }
-    this.#applied = { ...this.#applied, [name]: value };
-    this.#isStale = true;
-    this.failure = null;
     this.#store.update({ parameters: { ...this.#store.state.parameters, [name]: value } }, gesture);
     return null;
   }
@@ -136,7 +135,7 @@ export class Session {
   /** Looks ahead anew where something has changed since. */
   refresh() {
     this.#isStale = false;
-    this.outlook = this.#lookAhead();
+    this.outlook = this.#tried(() => this.#lookAhead()) ?? this.outlook;
     if (this.#swing().angle * this.scales.magnification > widestDrawn) this.fit();
   }
 
@@ -147,14 +146,15 @@ export class Session {
 
   /** Chooses magnification, axes and force scale for the motion as it is and will be. */
   fit() {
-    this.scales = this.#fitted();
+    this.scales = this.#tried(() => this.#fitted()) ?? this.scales;
   }
 
   /** A hand let go: scales that no longer serve are chosen anew. */
   settle() {
     this.#store.settle();
+    if (this.failure) return;
     if (this.#isStale) this.refresh();
-    const fitted = this.#fitted();
+    const fitted = this.#tried(() => this.#fitted()) ?? this.scales;
     const limits = stillFits(this.scales.limits, this.#swing()) ? this.scales.limits : fitted.limits;
     this.scales = { ...fitted, limits };
   }
@@ -204,17 +204,51 @@ export class Session {
     this.#applied = simulator.parameters();
     this.#past.clear();
     this.#odometer = new Odometer();
+    this.#changedAt = 0;
     this.failure = null;
     return simulator;
   }
 
-  /** @param {() => void} step */
-  #move(step) {
+  /**
+   * Sets a parameter in the running gear.
+   * @param {string} name @param {number} value in SI
+   */
+  #apply(name, value) {
+    this.#recover();
+    this.#simulator.set(name, value);
+    this.#applied = { ...this.#applied, [name]: value };
+    this.#changedAt = this.#simulator.time;
+    this.#isStale = true;
+  }
+
+  /** After a stop, back to where the last change found the motion: what a wild value made of it since would stay. */
+  #recover() {
+    if (!this.failure) return;
+    this.failure = null;
+    this.#isStale = true;
+    const values = this.#applied;
+    this.#simulator.seek(Math.max(this.#changedAt, this.#simulator.range[0]));
+    for (const [name, value] of Object.entries(this.#simulator.parameters()))
+      if (values[name] !== value) this.#simulator.set(name, values[name]);
+  }
+
+  /**
+   * What can be computed; where that fails the run has stopped.
+   * @template Result
+   * @param {() => Result} task
+   */
+  #tried(task) {
     try {
-      step();
+      return task();
     } catch (error) {
       this.failure = error;
+      return null;
     }
+  }
+
+  /** @param {() => void} step */
+  #move(step) {
+    this.#tried(step);
   }
 
   #lookAhead() {
@@ -287,13 +321,21 @@ export class Session {
     }
     for (const [name, value] of Object.entries(state.parameters)) {
       if (this.#applied[name] === value) continue;
-      this.#simulator.set(name, value);
-      this.#applied = { ...this.#applied, [name]: value };
-      this.#isStale = true;
-      this.failure = null;
+      this.#apply(name, value);
     }
   }
 }
+
+/** Stands for an outlook where the very first look ahead failed. @type {Outlook} */
+const nothingAhead = {
+  verdict: 'rests',
+  settled: true,
+  amplitude: { torsionAngle: 0, torsionRate: 0, lateralDeformation: 0 },
+  frequency: null,
+  present: { amplitude: 0, frequency: null, trend: 'steady' },
+  envelope: { time: new Float64Array(), low: new Float64Array(), high: new Float64Array() },
+  orbit: { time: new Float64Array(), torsionAngle: new Float64Array(), torsionRate: new Float64Array(), lateralDeformation: new Float64Array() },
+};
 
 /**
  * @typedef {{ time: Float64Array, torsionAngle: Float64Array, lateralDeformation: Float64Array }} History

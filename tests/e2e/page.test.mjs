@@ -197,8 +197,36 @@ test('an absurd value stops the run, not the page, and is undone', async () => {
   const { page, leave } = await open(browser, server.address);
   await untilVerdict(page, 'It shimmies');
   await type(page, 'casterLength', '500000');
-  await page.locator('.note', { hasText: 'The run stopped at' }).waitFor();
-  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.locator('.note', { hasText: 'with Caster = 500\u202f000 m it leaves' }).waitFor();
+  assert.match(await knob(page, 'casterLength').refusal.innerText(), /^Far beyond the slider/);
+  assert.equal(await page.locator('.verdict-message').innerText(), 'The run stopped');
+  await page.locator('.note').getByRole('button', { name: 'Undo' }).click();
+  await page.getByRole('button', { name: 'Play' }).click();
+  await untilVerdict(page, 'It shimmies');
+  assert.equal(await page.locator('.note').count(), 0);
+  await leave();
+});
+
+test('what stopped the run may be mended by hand, and the complaint goes', async () => {
+  const { page, leave } = await open(browser, server.address);
+  await untilVerdict(page, 'It shimmies');
+  await page.getByRole('button', { name: 'All 14 values' }).click();
+  const relaxation = page.locator('shimmy-drawer shimmy-knob[data-name="relaxationLength"] .number');
+  await relaxation.fill('1e-300');
+  await relaxation.press('Enter');
+  await page.locator('.note', { hasText: 'with Relaxation length = 1e−300 m' }).waitFor();
+  assert.equal(await relaxation.inputValue(), '1e−300');
+  await relaxation.fill('0.3');
+  await relaxation.press('Enter');
+  await untilVerdict(page, 'It shimmies');
+  assert.equal(await page.locator('.note').count(), 0);
+  await leave();
+});
+
+test('a link with an absurd value opens stopped, and Reset all gets it going', async () => {
+  const { page, leave } = await open(browser, `${server.address}#shimmy=1&relaxationLength=1e-300&initial.torsionAngle=0.05`);
+  await page.locator('.note', { hasText: 'The run stopped at 0.000 s' }).waitFor();
+  await page.getByRole('button', { name: 'Reset all' }).click();
   await page.getByRole('button', { name: 'Play' }).click();
   await untilVerdict(page, 'It shimmies');
   assert.equal(await page.locator('.note').count(), 0);

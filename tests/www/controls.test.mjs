@@ -2,6 +2,7 @@ import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { Quantity } from '../../www/controls/quantity.js';
 import { explain } from '../../www/controls/refusal.js';
+import { parseNumber } from '../../www/words/number.js';
 import { voiceOf } from '../../www/words/voice.js';
 
 const degree = Math.PI / 180;
@@ -55,4 +56,18 @@ test('a refusal is explained in the page’s language and units', () => {
   assert.equal(say('out-of-range', '≥ 0 rad', 'en', gap, degree), 'Speed must be 0° or more. It stays at 1.00.');
   assert.equal(say('not-a-number', undefined, 'en'), 'That is not a number. Speed stays at 80.0.');
   assert.equal(say('out-of-range', 'at most 1e12 m/s in magnitude', 'en'), 'Speed is too large to compute with. It stays at 80.0.');
+});
+
+test('numbers too long for a field are powers of ten, and typed back mean the same', () => {
+  for (const language of /** @type {const} */ (['en', 'tr']))
+    for (const value of [1e-300, -2.5e-9, 1e6, 1.25e11, 0.0001, 999999, 0]) {
+      const written = speed.number(value, voiceOf(language));
+      assert.ok(written.length <= 9, written);
+      assert.equal(parseNumber(written), value);
+    }
+});
+
+test('far is an order of magnitude beyond the slider', () => {
+  assert.deepEqual([0, 0.09, 0.5, 120, 1000, 1300].map((value) => speed.isFar(value)), [false, true, false, false, false, true]);
+  assert.ok(!gap.isFar(0));
 });

@@ -150,3 +150,23 @@ test('the line under the verdict says how wide, how fast, where to', () => {
   session.refresh();
   assert.match(line(), /^±1\d\.\d° and falling · 5\d\.\d Hz · heads for 0°$/);
 });
+
+test('a wild value stops the run without a throw, and the next one finds the motion as it was', () => {
+  for (const [name, value] of /** @type {[string, number][]} */ ([['casterLength', 1e6], ['relaxationLength', 1e-300]])) {
+    const { session } = opened();
+    session.advance(0.2);
+    const before = [...session.scene(wanted).state];
+    session.set(name, value, null);
+    session.settle();
+    for (let i = 0; i < 100 && !session.failure; i++) session.advance(0.01);
+    assert.ok(session.failure, `${name} = ${value} can be computed`);
+    session.settle();
+    session.kick();
+    session.set(name, defaults[name], null);
+    session.settle();
+    assert.equal(session.failure, null);
+    assert.ok(Math.abs(session.time - 0.2) < 1e-12);
+    session.scene(wanted).state.forEach((now, i) => assert.ok(Math.abs(now - before[i]) < 1e-9 * Math.max(1, Math.abs(now))));
+    assert.equal(session.outlook.verdict, 'shimmies');
+  }
+});

@@ -58,7 +58,8 @@ export class Knob extends LitElement {
     const id = `knob-${quantity.name}-${this.dataset.place}`;
     const usual = quantity.write(this.usual, voice);
     const reset = voice.say('knob.reset', { name, value: usual });
-    const sentence = this.refusal ? explain(this.refusal, quantity, name, this.value, voice) : '';
+    const sentence = this.refusal ? explain(this.refusal, quantity, name, this.value, voice)
+      : quantity.isFar(this.value) ? voice.say('knob.far', { min: quantity.number(quantity.toSI(quantity.min), voice), max: quantity.write(quantity.toSI(quantity.max), voice) }) : '';
     return html`
       <div class="knob-line">
         <label for="${id}-slider">${symbolOf(quantity.parameter.symbol)} <span>${name}</span></label>

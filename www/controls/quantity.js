@@ -50,6 +50,7 @@ export class Quantity {
    */
   number(value, voice) {
     const shown = this.toShown(value);
+    if (shown !== 0 && (Math.abs(shown) >= 1e6 || Math.abs(shown) < 1e-6)) return voice.power(shown);
     return voice.number(shown, decimalsOf(shown, this.decimals));
   }
 
@@ -60,6 +61,16 @@ export class Quantity {
    */
   write(value, voice) {
     return withUnit(this.number(value, voice), this.unit);
+  }
+
+  /**
+   * Whether a value is so far beyond the slider that a slip of the hand is likelier than a gear.
+   * @param {number} value in SI
+   */
+  isFar(value) {
+    const shown = this.toShown(value);
+    const least = this.min > 0 ? this.min / 10 : this.min - 9 * (this.max - this.min);
+    return shown > 10 * this.max || (shown < least && shown !== 0);
   }
 
   /**

@@ -45,6 +45,7 @@ export const en = {
   'verdict.rattles': 'It rattles in the gap',
   'verdict.grows': 'It grows beyond the model',
   'verdict.rests': 'It rests',
+  'verdict.stopped': 'The run stopped',
   'verdict.rests.hint': 'Nothing moves. Kick the wheel.',
   'verdict.growing': '{amplitude} and growing',
   'verdict.falling': '{amplitude} and falling',
@@ -108,6 +109,7 @@ export const en = {
   'dock.close': 'Close',
   'dock.reset': 'Reset all',
   'knob.reset': '{name} back to {value}',
+  'knob.far': 'Far beyond the slider’s {min} to {max}.',
   'knob.number': '{name}, exact number',
 
   'parameter.velocity': 'Speed',
@@ -142,4 +144,5 @@ export const en = {
   'engine.starting': 'Starting the engine',
   'engine.refused': 'The engine did not start, so the wheel stands still. It needs a browser with WebAssembly: Chrome 111, Firefox 111, Safari 16.4 or newer. What the browser said: {reason}',
   'engine.stopped': 'The run stopped at {time} s: it left what can be computed. Undo the last change or go back to the start.',
+  'engine.stopped.by': 'The run stopped at {time} s: with {cause} it leaves what can be computed. The picture is from before.',
 };

@@ -21,6 +21,15 @@ export function formatNumber(value, decimals, language) {
 }
 
 /**
+ * A number too large or too small for a field, as a power of ten that can be typed back.
+ * @param {number} value
+ * @param {Language} language
+ */
+export function formatPower(value, language) {
+  return Number(value.toPrecision(6)).toExponential().replace('e+', 'e').replaceAll('-', minus).replace('.', decimalSign[language]);
+}
+
+/**
  * Decimals that show `value` in full, to six significant digits, and at least `least` of them.
  * @param {number} value
  * @param {number} least

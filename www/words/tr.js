@@ -31,7 +31,7 @@ export const tr = {
   'key.help': '?',
   'key.help.does': 'bu liste',
 
-  'story.title': 'Denenecek şey',
+  'story.title': 'Şunu dene',
   'story.shimmies': 'Bu tekerleği kendi lastiğinden başka hiçbir şey sallamıyor. Sönümü, salınım sönene dek artır.',
   'story.dies-out': 'Sönümleyici ve sırt, lastiğin verdiğinden çoğunu alıyor. Shimmy başlayana dek sönümü azalt.',
   'story.rattles': 'Boşluğun içinde tekerleği hiçbir yay tutmuyor, lastik onu orada sallıyor. Boşluğu kapat.',
@@ -45,6 +45,7 @@ export const tr = {
   'verdict.rattles': 'Boşlukta takırdıyor',
   'verdict.grows': 'Modelin ötesine büyüyor',
   'verdict.rests': 'Duruyor',
+  'verdict.stopped': 'Çalışma durdu',
   'verdict.rests.hint': 'Hiçbir şey kımıldamıyor. Tekerleğe vur.',
   'verdict.growing': '{amplitude}, büyüyor',
   'verdict.falling': '{amplitude}, azalıyor',
@@ -68,10 +69,10 @@ export const tr = {
   'clock.kick.does': 'Tekerleğe vur: dümenleme ekseni etrafında {impulse} N m s’lik darbe',
 
   'timeline.name': 'Zaman',
-  'timeline.run': 'koşu',
+  'timeline.run': 'çalışma',
   'timeline.now': 'şimdi',
   'timeline.future': 'hiçbir şey değişmezse olacak olan',
-  'timeline.value': 'Koşunun {time} saniyesi, burulma açısı {angle}',
+  'timeline.value': 'Çalışmanın {time}. saniyesi, burulma açısı {angle}',
 
   'lens.name': 'Mercek',
   'lens.phase': 'Faz',
@@ -108,6 +109,7 @@ export const tr = {
   'dock.close': 'Kapat',
   'dock.reset': 'Hepsini sıfırla',
   'knob.reset': '{name} yeniden {value}',
+  'knob.far': 'Sürgünün {min} – {max} aralığının çok dışında.',
   'knob.number': '{name}, tam sayısal değer',
 
   'parameter.velocity': 'Hız',
@@ -141,5 +143,6 @@ export const tr = {
 
   'engine.starting': 'Motor başlatılıyor',
   'engine.refused': 'Motor başlamadı, tekerlek bu yüzden duruyor. WebAssembly destekleyen bir tarayıcı gerekir: Chrome 111, Firefox 111, Safari 16.4 veya daha yenisi. Tarayıcının dediği: {reason}',
-  'engine.stopped': 'Koşu {time}. saniyede durdu: hesaplanabilir sınırın dışına çıktı. Son değişikliği geri al veya başa dön.',
+  'engine.stopped': 'Çalışma {time}. saniyede durdu: hesaplanabilir sınırın dışına çıktı. Son değişikliği geri al veya başa dön.',
+  'engine.stopped.by': 'Çalışma {time}. saniyede durdu: {cause} ile hesaplanabilir sınırın dışına çıkıyor. Resim ondan öncesini gösteriyor.',
 };

@@ -1,6 +1,6 @@
 import { en } from './en.js';
 import { tr } from './tr.js';
-import { formatNumber } from './number.js';
+import { formatNumber, formatPower } from './number.js';
 
 /**
  * @typedef {import('./number.js').Language} Language
@@ -9,6 +9,7 @@ import { formatNumber } from './number.js';
  *   language: Language,
  *   say: (key: Key, values?: Record<string, string | number>) => string,
  *   number: (value: number, decimals: number) => string,
+ *   power: (value: number) => string,
  * }} Voice the page's words and numbers in one language
  */
 
@@ -25,6 +26,7 @@ export function voiceOf(language) {
     language,
     say: (key, values = {}) => words[key].replaceAll(/\{(\w+)\}/g, (_, name) => String(values[name])),
     number: (value, decimals) => formatNumber(value, decimals, language),
+    power: (value) => formatPower(value, language),
   };
 }
 
