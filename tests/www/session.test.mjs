@@ -63,6 +63,25 @@ test('the ground behind keeps the speed it was driven at', () => {
   assert.ok(Math.abs(roll - track.distance[0] - wanted.trackLength) < 1e-9, 'the track is as long as it is seen');
 });
 
+test('the magnification is that of the start of the run until a hand asks for another', () => {
+  const { session } = opened();
+  const { magnification } = session.scales;
+  session.set('dampingConstant', 47.5, null);
+  session.settle();
+  assert.equal(session.set('velocity', -3, null)?.code, 'out-of-range');
+  session.settle();
+  session.kick();
+  session.advance(1);
+  session.refresh();
+  assert.equal(session.scales.magnification, magnification);
+  session.set('dampingConstant', 90, null);
+  session.advance(1);
+  session.settle();
+  assert.equal(session.scales.magnification, magnification);
+  session.fit();
+  assert.ok(session.scales.magnification > magnification);
+});
+
 test('a refused value changes nothing and says why', () => {
   const { store, session } = opened();
   const refusal = session.set('velocity', -3, null);
@@ -169,4 +188,14 @@ test('a wild value stops the run without a throw, and the next one finds the mot
     session.scene(wanted).state.forEach((now, i) => assert.ok(Math.abs(now - before[i]) < 1e-9 * Math.max(1, Math.abs(now))));
     assert.equal(session.outlook.verdict, 'shimmies');
   }
+});
+
+test('the line under the verdict calls settled what no longer changes as shown, and knows its limit from the start', () => {
+  const { session } = opened();
+  const { outlook } = session;
+  const line = (/** @type {number} */ now) =>
+    numbersOf({ ...outlook, present: { ...outlook.present, amplitude: now, trend: 'falling' } }, voiceOf('en')).map(({ text }) => text).join(' · ');
+  assert.match(line(outlook.amplitude.torsionAngle * 1.001), /^±15\.2° · \S+ Hz · settled$/);
+  assert.match(line(0.27), /and falling/);
+  assert.match(line(5), /^±286\.5° and falling · \S+ Hz · Beyond 29°/);
 });

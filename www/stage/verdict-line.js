@@ -4,6 +4,8 @@
  */
 
 const degrees = 180 / Math.PI;
+/** The engine's own limit of what it calls a swing of this model, in rad: the 29° of the words. */
+const trusted = 0.5;
 
 /**
  * The line under the verdict, part by part; an extra one is left out where there is little room.
@@ -15,12 +17,16 @@ export function numbersOf({ verdict, settled, amplitude, frequency, present }, v
   if (verdict === 'rests') return [{ text: voice.say('verdict.rests.hint') }];
   const beat = present.frequency ?? frequency;
   const hertz = beat ? [{ text: `${voice.number(beat, 1)} Hz` }] : [];
-  if (settled) return [{ text: swing(amplitude.torsionAngle, voice) }, ...hertz, { text: voice.say('verdict.settled') }];
   const now = swing(present.amplitude, voice);
+  const goal = swing(verdict === 'dies-out' ? 0 : amplitude.torsionAngle, voice);
+  const limit = { text: voice.say('verdict.limit') };
+  // What no longer changes in any number shown has settled, for all that can be seen.
+  if (verdict !== 'grows' && (settled || now === goal))
+    return [{ text: goal }, ...hertz, amplitude.torsionAngle > trusted ? limit : { text: voice.say('verdict.settled') }];
   const trend = present.trend === 'growing' ? voice.say('verdict.growing', { amplitude: now })
     : present.trend === 'falling' ? voice.say('verdict.falling', { amplitude: now }) : now;
-  if (verdict === 'grows') return [{ text: trend }, ...hertz, { text: voice.say('verdict.limit'), isExtra: true }];
-  const goal = swing(verdict === 'dies-out' ? 0 : amplitude.torsionAngle, voice);
+  if (verdict === 'grows') return [{ text: trend }, ...hertz, { ...limit, isExtra: true }];
+  if (present.amplitude > trusted) return [{ text: trend }, ...hertz, limit];
   return [{ text: trend }, ...hertz, { text: voice.say('verdict.heads', { amplitude: goal }), isExtra: true }];
 }
 
