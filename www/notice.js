@@ -50,7 +50,10 @@ export class Notice extends LitElement {
  */
 export function noteOn(problems, voice) {
   if (problems.length === 0) return null;
-  const list = problems.map(({ key, value, reason }) => voice.say(`link.${reason}`, { key, value })).join('; ');
+  const list = problems.map(({ key, value, reason, instead }) => {
+    const problem = voice.say(`link.${reason}`, { key, value });
+    return instead === undefined ? problem : voice.say('link.instead', { problem, instead });
+  }).join('; ');
   return { text: voice.say('link.some', { list }), isAlert: true };
 }
 

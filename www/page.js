@@ -124,7 +124,7 @@ export class Page extends LitElement {
       const engine = await loadEngine();
       this.#engine = engine;
       this.#setTable(engine);
-      this.#openLink(location.hash) || this.#openLink(recall().link ?? '') || this.#openFirst();
+      this.#openLink(location.hash) || this.#openLink(location.search) || this.#openLink(recall().link ?? '') || this.#openFirst();
       this.#begin(engine);
     } catch (error) {
       this.failure = error instanceof Error ? error.message : String(error);
@@ -163,9 +163,13 @@ export class Page extends LitElement {
     if (!table || (this.#session && text === writeLink(this.#store.state, table))) return false;
     const read = readLink(text, table, (parameters, initial) => this.#accepts(parameters, initial));
     if (!read) return false;
-    if (this.#session) this.#store.update(read.state);
-    else this.#store.follow(read.state);
+    // A damaged link without a start would open on a wheel at rest, and say nothing of why.
+    const isBare = read.problems.length > 0 && Object.keys(read.state.run.initial).length === 0;
+    const state = isBare ? { ...read.state, run: openingRun } : read.state;
+    if (this.#session) this.#store.update(state);
+    else this.#store.follow(state);
     const note = noteOn(read.problems, this.#voice);
+    if (note && isBare) note.text += ` ${this.#voice.say('link.start')}`;
     this.notes = note ? [note] : [];
     return true;
   }

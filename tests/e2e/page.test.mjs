@@ -77,6 +77,8 @@ for (const [place, address] of places) {
       assert.equal(await number.getAttribute('aria-invalid'), 'true');
       await type(page, 'velocity', 'fast');
       assert.equal(await refusal.innerText(), 'That is not a number. Speed stays at 60.5.');
+      await type(page, 'velocity', '1e400');
+      assert.equal(await refusal.innerText(), 'Speed is too large to compute with. It stays at 60.5.');
       await type(page, 'freeplayAngle', '-1');
       assert.equal(await knob(page, 'freeplayAngle').refusal.innerText(), 'Freeplay, half gap must be 0° or more. It stays at 0.00.');
       assert.equal(await verdict(page), 'It shimmies');
@@ -113,7 +115,7 @@ for (const [place, address] of places) {
       const { page, leave } = await open(browser, `${address()}#shimmy=1&velocity=-3&dampingConstant=60&color=red&initial.torsionAngle=0.05`);
       await untilVerdict(page, 'It dies out');
       assert.equal(await page.locator('.note').innerText().then((text) => text.split('\n')[0]),
-        'Not all of the link could be read. Left out: velocity = -3 (not allowed); color (unknown).');
+        'Not all of the link could be read: velocity = -3 (not allowed), so it is 50; color (unknown).');
       assert.equal(await knob(page, 'dampingConstant').number.inputValue(), '60.0');
       assert.equal(await knob(page, 'velocity').number.inputValue(), '50.0');
       await leave();

@@ -31,7 +31,7 @@ test('what a link carries comes back, to the last bit', () => {
 });
 
 test('an address without an experiment is none', () => {
-  for (const text of ['', '#', '#velocity=80', '#top']) assert.equal(readLink(text, table, accepts), null);
+  for (const text of ['', '#', '#top', '?utm=1']) assert.equal(readLink(text, table, accepts), null);
 });
 
 test('a bad link opens what could be read and lists what could not', () => {
@@ -53,6 +53,24 @@ test('a link of a newer version says so and is read as far as it goes', () => {
   const read = readLink('#shimmy=9&velocity=70', table, accepts);
   assert.equal(read?.state.parameters.velocity, 70);
   assert.deepEqual(read?.problems, [{ key: 'shimmy', value: '9', reason: 'newer' }]);
+  assert.equal(readLink('#shimmy=abc', table, accepts)?.problems[0].reason, 'version');
+});
+
+test('a link that lost its version, or is a query, is read and says what it lost', () => {
+  for (const text of ['#velocity=40', '?velocity=40']) {
+    const read = readLink(text, table, accepts);
+    assert.equal(read?.state.parameters.velocity, 40);
+    assert.deepEqual(read?.problems, [{ key: 'shimmy', value: '1', reason: 'missing' }]);
+  }
+});
+
+test('what is left out says what stands instead', () => {
+  const read = readLink('#shimmy=1&velocity=1e400&dampingConstant=20&dampingConstant=30&initial.torsionAngle=99', table, accepts);
+  assert.deepEqual(read?.problems, [
+    { key: 'velocity', value: '1e400', reason: 'too-large', instead: 50 },
+    { key: 'dampingConstant', value: '30', reason: 'twice', instead: 20 },
+    { key: 'initial.torsionAngle', value: '99', reason: 'refused', instead: 0 },
+  ]);
 });
 
 test('names of the language itself are unknown keys, not keys', () => {

@@ -94,6 +94,10 @@ export class Knob extends LitElement {
       this.refusal = { code: 'not-a-number' };
       return;
     }
+    if (!Number.isFinite(shown)) {
+      this.refusal = { code: 'too-large' };
+      return;
+    }
     // What stands there already is no new value: writing it back would lose the digits that are not shown.
     if (field.value !== quantity.number(this.value, voice)) this.#set(quantity.toSI(shown));
     else this.refusal = null;

@@ -5,7 +5,7 @@ import { withUnit } from './quantity.js';
 /**
  * @typedef {import('./quantity.js').Quantity} Quantity
  * @typedef {import('../words/voice.js').Voice} Voice
- * @typedef {{ code: string, allowed?: string }} Refusal what the engine says; `not-a-number` is the page's own
+ * @typedef {{ code: string, allowed?: string }} Refusal what the engine says; `not-a-number` and `too-large` are the page's own
  */
 
 /**
@@ -18,6 +18,7 @@ import { withUnit } from './quantity.js';
 export function explain(refusal, quantity, name, kept, voice) {
   const values = { name, kept: quantity.number(kept, voice), allowed: refusal.allowed ?? '' };
   if (refusal.code === 'not-a-number') return voice.say('refused.notANumber', values);
+  if (refusal.code === 'too-large') return voice.say('refused.tooLarge', values);
   const [, sign, bound] = refusal.allowed?.match(/^(>|≥) (\S+)/) ?? [];
   if (sign) {
     const limit = withUnit(quantity.number(Number(bound), voice).replace(/[.,]0+$/, ''), quantity.unit);

@@ -133,7 +133,12 @@ export const en = {
   'refused.notANumber': 'That is not a number. {name} stays at {kept}.',
   'refused.other': '{name} must be {allowed}. It stays at {kept}.',
 
-  'link.some': 'Not all of the link could be read. Left out: {list}.',
+  'link.some': 'Not all of the link could be read: {list}.',
+  'link.instead': '{problem}, so it is {instead}',
+  'link.start': 'The run starts as the page does.',
+  'link.too-large': '{key} = {value} (too large)',
+  'link.version': '{key} = {value} (no version of a link)',
+  'link.missing': '{key}={value} (missing)',
   'link.unknown': '{key} (unknown)',
   'link.not-a-number': '{key} = {value} (not a number)',
   'link.refused': '{key} = {value} (not allowed)',

@@ -133,7 +133,12 @@ export const tr = {
   'refused.notANumber': 'Bu bir sayı değil. {name} {kept} olarak kaldı.',
   'refused.other': '{name} için izin verilen: {allowed}. {kept} olarak kaldı.',
 
-  'link.some': 'Bağlantının tamamı okunamadı. Dışarıda kalan: {list}.',
+  'link.some': 'Bağlantının tamamı okunamadı: {list}.',
+  'link.instead': '{problem}, yerine {instead}',
+  'link.start': 'Çalışma, sayfanın kendisi gibi başlıyor.',
+  'link.too-large': '{key} = {value} (fazla büyük)',
+  'link.version': '{key} = {value} (bir bağlantı sürümü değil)',
+  'link.missing': '{key}={value} (eksik)',
   'link.unknown': '{key} (bilinmiyor)',
   'link.not-a-number': '{key} = {value} (sayı değil)',
   'link.refused': '{key} = {value} (izin verilmez)',
