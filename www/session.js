@@ -30,8 +30,8 @@ export const kickImpulse = 10;
 const stepsOfFrame = 100_000;
 const stepsAhead = 30_000;
 
-/** Drawn beyond this, a swing is magnified anew even while a slider moves. */
-const widestDrawn = (45 * Math.PI) / 180;
+/** Drawn beyond this, a wheel tells nothing: then alone a run under way is magnified less than at its start. */
+const widestDrawn = (60 * Math.PI) / 180;
 /** Scales reach no further ahead than this, far beyond what the model is trusted for. */
 const widestAhead = 1;
 const pastCycles = 8;
@@ -112,7 +112,7 @@ export class Session {
     if (this.failure) return;
     this.#simulator.kick(kickImpulse);
     this.refresh();
-    this.fit();
+    this.#refit();
   }
 
   /**
@@ -149,14 +149,19 @@ export class Session {
     this.scales = this.#tried(() => this.#fitted()) ?? this.scales;
   }
 
-  /** A hand let go: scales that no longer serve are chosen anew. */
+  /** A hand let go. */
   settle() {
     this.#store.settle();
     if (this.failure) return;
     if (this.#isStale) this.refresh();
+    this.#refit();
+  }
+
+  /** New axes and force scale where those in force no longer serve. The magnification stays as the run began. */
+  #refit() {
+    const { magnification, limits } = this.scales;
     const fitted = this.#tried(() => this.#fitted()) ?? this.scales;
-    const limits = stillFits(this.scales.limits, this.#swing()) ? this.scales.limits : fitted.limits;
-    this.scales = { ...fitted, limits };
+    this.scales = { ...fitted, magnification, limits: stillFits(limits, this.#swing()) ? limits : fitted.limits };
   }
 
   /**
