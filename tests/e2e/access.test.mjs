@@ -28,6 +28,8 @@ for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024
   test(`wheel, verdict and the damping's slider share the screen at ${width} × ${height}, scrolled or not`, async () => {
     const { page, leave } = await open(browser, server.address, { viewport: { width, height } });
     await untilVerdict(page, 'It shimmies');
+    const isCut = await page.locator('shimmy-transport .scale').evaluate((scale) => scale.scrollWidth > scale.clientWidth);
+    assert.ok(!isCut, 'the rate in words is cut');
     for (const down of [0, 10_000]) {
       await page.evaluate((top) => window.scrollTo(0, top), down);
       for (const what of ['.gear', 'shimmy-verdict h1', 'shimmy-dock [data-name="dampingConstant"] .slider']) {
