@@ -11,7 +11,7 @@ const languages = /** @type {const} */ ([['en', 'English'], ['tr', 'Türkçe']])
 
 /**
  * The page's head: which object, undo and redo, the link, and a menu with language, appearance and keys.
- * Events: `undo`, `redo`, `share`, `language` and `theme` with the choice as detail.
+ * Events: `undo`, `redo`, `share`, `reset-all`, `language` and `theme` with the choice as detail.
  */
 export class Header extends LitElement {
   static properties = {
@@ -73,6 +73,10 @@ export class Header extends LitElement {
       <details class="menu" @keydown=${this.#key}>
         <summary class="plain icon" title=${voice.say('header.menu')} aria-label=${voice.say('header.menu')}>⋯</summary>
         <div class="menu-sheet">
+          <div class="menu-actions">
+            <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => this.#tell('share')}>${voice.say(this.isShared ? 'header.shared' : 'header.share')}</button>
+            <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => this.#tell('reset-all')}>↺ ${voice.say('dock.reset')}</button>
+          </div>
           ${this.#choice('menu.language', 'language', languages.map(([value, word]) => ({ value, word, lang: value })), voice.language)}
           ${this.#choice('menu.theme', 'theme', themes.map((value) => ({ value, word: voice.say(`menu.theme.${value}`), lang: voice.language })), this.theme)}
           <section>

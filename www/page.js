@@ -90,7 +90,7 @@ export class Page extends LitElement {
     return html`
       <shimmy-header role="banner" .voice=${voice} .theme=${theme} .canUndo=${this.#store.canUndo} .canRedo=${this.#store.canRedo}
         .isReady=${session !== null} .isShared=${this.isShared}
-        @undo=${() => this.#walk('undo')} @redo=${() => this.#walk('redo')} @share=${this.#share}
+        @undo=${() => this.#walk('undo')} @redo=${() => this.#walk('redo')} @share=${this.#share} @reset-all=${this.#resetAll}
         @language=${(/** @type {CustomEvent} */ event) => this.#store.update({ language: event.detail })}
         @theme=${(/** @type {CustomEvent} */ event) => this.#store.update({ theme: event.detail })}></shimmy-header>
       <main>

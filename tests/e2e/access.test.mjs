@@ -82,6 +82,23 @@ test('on a phone every target is large enough for a thumb', async () => {
   await leave();
 });
 
+test('on a phone the menu has what the dock has no room for', async () => {
+  const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 } });
+  await untilVerdict(page, 'It shimmies');
+  await page.locator('.chips button').first().click();
+  await type(page, 'velocity', '60');
+  await page.locator('.menu summary').click();
+  assert.ok(await page.locator('.menu-sheet').getByRole('button', { name: 'Copy link' }).isVisible());
+  await page.locator('.menu-sheet').getByRole('button', { name: 'Reset all' }).click();
+  assert.equal(await page.locator('shimmy-dock [data-name="velocity"] .number').inputValue(), '80.0');
+  await page.keyboard.press('Escape');
+  await page.locator('.chips button').last().click();
+  const list = await page.locator('.drawer-knobs').boundingBox();
+  const dock = await page.locator('shimmy-dock').boundingBox();
+  assert.ok(list && dock && dock.y - list.y > 300, 'three values and more are in sight');
+  await leave();
+});
+
 test('on a phone the gear stays in sight and the page scrolls under it', async () => {
   const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 } });
   await untilVerdict(page, 'It shimmies');
