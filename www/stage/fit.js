@@ -31,13 +31,13 @@ export function limitsFor({ angle, rate }) {
 }
 
 /**
- * Whether axes still serve a motion: it stays inside and is more than a sixth of them.
+ * Whether axes still serve a motion: it stays inside and is more than a third of them.
  * @param {Swing} limits
  * @param {Swing} swing
  */
 export function stillFits(limits, swing) {
   const share = Math.max(swing.angle / limits.angle, swing.rate / limits.rate);
-  return share <= 1 && share > 1 / 6;
+  return share <= 1 && share > 1 / 3;
 }
 
 /**
