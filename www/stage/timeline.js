@@ -46,9 +46,10 @@ export class Timeline extends LitElement {
     const valueText = voice.say('timeline.value', {
       time: voice.number(this.time, 3), angle: `${voice.number(this.angle * degrees, 1)}°`,
     });
+    const run = this.#scene?.run ?? { from: 0, to: 60 };
     return html`
       <div class="timeline-grip" role="slider" tabindex="0" aria-label=${voice.say('timeline.name')}
-        aria-valuemin="0" aria-valuemax="60" aria-valuenow=${this.time.toFixed(3)} aria-valuetext=${valueText}
+        aria-valuemin=${run.from.toFixed(3)} aria-valuemax=${run.to.toFixed(3)} aria-valuenow=${this.time.toFixed(3)} aria-valuetext=${valueText}
         @pointerdown=${this.#grab} @pointermove=${this.#drag} @pointerup=${this.#release} @pointercancel=${this.#release}
         @keydown=${this.#key}>
         <shimmy-canvas aria-hidden="true" .paint=${this.#paint}></shimmy-canvas>
@@ -100,15 +101,12 @@ export class Timeline extends LitElement {
     context.textBaseline = 'middle';
     context.textAlign = 'left';
     context.fillText(voice.say('timeline.run'), theme.size * 1.1, (box.top + box.bottom) / 2);
+    context.fillText(`${voice.number(run.to, run.to < 10 ? 1 : 0)} s`, box.right + theme.size * 0.5, (box.top + box.bottom) / 2);
     if (!hasWords) return;
     context.textBaseline = 'alphabetic';
     context.textAlign = 'right';
-    const below = box.bottom + theme.size * 1.5;
-    const end = `${voice.number(run.to, run.to < 10 ? 1 : 0)} s`;
-    context.fillText(end, box.right, below);
     const words = voice.say('timeline.future');
-    const endWidth = context.measureText(end).width;
-    if (context.measureText(words).width < (box.right - box.left) * 0.42) context.fillText(words, box.right - endWidth - theme.size * 1.5, below);
+    if (context.measureText(words).width < (box.right - box.left) * 0.42) context.fillText(words, box.right, box.bottom + theme.size * 1.5);
   }
 
   /** @param {PointerEvent} event */
@@ -149,11 +147,17 @@ export class Timeline extends LitElement {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -20, PageUp: 20 }[event.key];
-    if (!steps) return;
+    const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+    const tenths = { PageDown: -1, PageUp: 1, Home: -Infinity, End: Infinity }[event.key];
+    const scene = this.#scene;
+    if (!scene || !(steps || tenths)) return;
     event.preventDefault();
     event.stopPropagation();
-    this.#seek(this.time + steps * this.step * (event.shiftKey ? 10 : 1));
+    const { from, to } = scene.run;
+    // The lane grows when now comes near its end; End stays short of that, or each press would move it.
+    const end = from + (to - from) / 1.101;
+    const jumped = Math.min(Math.max(scene.time + (tenths ?? 0) * 0.1 * (to - from), from), tenths === Infinity ? end : to);
+    this.#seek(steps ? scene.time + steps * this.step * (event.shiftKey ? 10 : 1) : jumped);
     this.dispatchEvent(new CustomEvent('settle', { bubbles: true }));
   }
 
@@ -174,7 +178,8 @@ function lanesOf({ width, height }, theme) {
   const right = width - theme.size * 1.6;
   const bottom = height - theme.size * 1.7;
   if (height < 110) return { run: null, moment: { left, right, top: theme.size * 0.5, bottom }, hasWords: false };
-  const run = { left, right, top: theme.size * 0.6, bottom: theme.size * 0.6 + height * 0.25 };
+  // The run's lane leaves room for the time at its end.
+  const run = { left, right: right - theme.size * 1.6, top: theme.size * 0.6, bottom: theme.size * 0.6 + height * 0.25 };
   // With large type (a projector) the words between the lanes give way to the lanes.
   const hasWords = height > 10 * theme.size;
   return { run, moment: { left, right, top: run.bottom + theme.size * (hasWords ? 2.3 : 1.1), bottom }, hasWords };
