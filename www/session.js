@@ -45,6 +45,7 @@ export class Session {
   /** @type {Record<string, number>} */ #applied = {};
   #lookedAt = 0;
   #changedAt = 0;
+  #kickedAt = -Infinity;
   #isStale = false;
   #odometer = new Odometer();
 
@@ -72,6 +73,21 @@ export class Session {
   /** The frequency of the motion now, or of where it goes. */
   get frequency() {
     return this.outlook.present.frequency ?? this.outlook.frequency ?? null;
+  }
+
+  /**
+   * The outlook with the swing as it was seen last: the engine tells of the coming cycle, while trail and marks show the
+   * one gone by. Just after a start or a blow there is none yet.
+   * @returns {Outlook}
+   */
+  get seen() {
+    const { time, range } = this.#simulator;
+    const since = time - 1 / (this.frequency ?? 50);
+    const isWhole = since >= range[0] && !(since < this.#kickedAt && this.#kickedAt <= time);
+    if (!isWhole) return this.outlook;
+    const { torsionAngle } = this.#simulator.history(since, time, 2 * samplesPerCycle);
+    const amplitude = torsionAngle.reduce((most, angle) => Math.max(most, Math.abs(angle)), 0);
+    return { ...this.outlook, present: { ...this.outlook.present, amplitude } };
   }
 
   /** The run from its start, with the values as they are. */
@@ -111,6 +127,7 @@ export class Session {
   kick() {
     if (this.failure) return;
     this.#simulator.kick(kickImpulse);
+    this.#kickedAt = this.#simulator.time;
     this.refresh();
     this.#refit();
   }
@@ -210,6 +227,7 @@ export class Session {
     this.#past.clear();
     this.#odometer = new Odometer();
     this.#changedAt = 0;
+    this.#kickedAt = -Infinity;
     this.failure = null;
     return simulator;
   }

@@ -189,3 +189,35 @@ test('a wild value stops the run without a throw, and the next one finds the mot
     assert.equal(session.outlook.verdict, 'shimmies');
   }
 });
+
+test('the line under the verdict calls settled what no longer changes as shown, and knows its limit from the start', () => {
+  const { session } = opened();
+  const { outlook } = session;
+  const line = (/** @type {number} */ now) =>
+    numbersOf({ ...outlook, present: { ...outlook.present, amplitude: now, trend: 'falling' } }, voiceOf('en')).map(({ text }) => text).join(' · ');
+  assert.match(line(outlook.amplitude.torsionAngle * 1.001), /^±15\.2° · \S+ Hz · settled$/);
+  assert.match(line(0.27), /and falling/);
+  assert.match(line(5), /^±286\.5° and falling · \S+ Hz · Beyond 29°/);
+});
+
+test('the swing told of is the one that trail and marks show', () => {
+  const { session } = opened();
+  assert.equal(session.seen, session.outlook);
+  session.advance(0.15);
+  session.refresh();
+  const [low, high] = session.scene(wanted).extremes ?? [];
+  assert.ok(Math.abs(session.seen.present.amplitude - Math.max(high ?? 0, -(low ?? 0))) < 1e-3);
+  assert.ok(session.outlook.present.amplitude > session.seen.present.amplitude, 'it grows');
+  session.kick();
+  assert.equal(session.seen, session.outlook, 'the cycle before a blow says nothing of now');
+});
+
+test('axes far too large for the motion are chosen anew when a hand lets go', () => {
+  const { session } = opened();
+  session.advance(2);
+  session.refresh();
+  session.scales = { ...session.scales, limits: { angle: 80 * Math.PI / 180, rate: 400 } };
+  session.set('dampingConstant', 31, null);
+  session.settle();
+  assert.ok(session.scales.limits.angle < 25 * Math.PI / 180);
+});
