@@ -14,6 +14,7 @@ import { readLink, writeLink } from './link.js';
 import { noteOn } from './notice.js';
 import { openingObject, openingParameters, openingRun } from './opening.js';
 import { Session } from './session.js';
+import { settlingTime } from './stage/fit.js';
 import { Clock } from './stage/clock.js';
 import { slowRateFor } from './stage/rate.js';
 import { Store } from './store.js';
@@ -49,6 +50,7 @@ export class Page extends LitElement {
   /** The failure that a note tells of. @type {unknown} */ #toldOf = null;
   #outlookAt = -Infinity;
   /** @type {import('./engine/engine.js').Outlook | null} */ #shown = null;
+  /** Counts the changes that a hand has ended: each is a reason to speak. */ #occasion = 0;
   #linkTimer = 0;
   /** @type {import('./style/theme.js').Theme | null} */ #theme = null;
 
@@ -149,7 +151,8 @@ export class Page extends LitElement {
   #begin(engine) {
     this.#session = new Session(engine, this.#store);
     this.#setRate();
-    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) this.#clock.play();
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) this.#session.seek(settlingTime(this.#session.outlook.envelope));
+    else this.#clock.play();
     this.requestUpdate();
   }
 
@@ -251,6 +254,8 @@ export class Page extends LitElement {
 
   #settle = () => {
     this.#session?.settle();
+    this.#occasion++;
+    this.#outlookAt = -Infinity;
     this.requestUpdate();
   };
 
@@ -393,8 +398,9 @@ export class Page extends LitElement {
     if (!isDue && session.outlook === this.#shown) return;
     this.#shown = session.outlook;
     if (isDue) this.#outlookAt = now;
+    const { seen } = session;
     for (const element of this.querySelectorAll('shimmy-stage, shimmy-phase-lens, shimmy-notice'))
-      Object.assign(element, { outlook: session.outlook, time: session.time, frequency: session.frequency });
+      Object.assign(element, { outlook: seen, time: session.time, frequency: session.frequency, occasion: this.#occasion });
   }
 
   /**

@@ -107,7 +107,7 @@ for (const [place, address] of places) {
       await untilVerdict(again.page, 'It rattles in the gap');
       assert.equal(await knob(again.page, 'freeplayAngle').number.inputValue(), '1.00');
       assert.equal(await again.page.getByRole('combobox').inputValue(), '25');
-      assert.match(await again.page.locator('.destination').innerText(), /0\.02227 rad/);
+      assert.match(await again.page.locator('.destination').innerText(), /0\.022268 rad/);
       await again.leave();
     });
 
@@ -269,6 +269,39 @@ test('with reduced motion it opens paused, the whole run drawn', async () => {
     return [...Array(Math.round(canvas.height / 3)).keys()].filter((y) => copy.getImageData(0, y, 1, 1).data[3] > 0).length;
   });
   assert.ok(drawn > 10, `${drawn} rows of the future are drawn`);
+  const time = page.getByRole('slider', { name: 'Time' });
+  assert.ok(Number(await time.getAttribute('aria-valuenow')) > 0.1, 'the past is empty');
+  assert.ok(await page.getByRole('button', { name: 'Step on' }).evaluate((button) => button.classList.contains('primary')));
+  await leave();
+});
+
+test('the time takes the keys of a slider', async () => {
+  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  await untilVerdict(page, 'It shimmies');
+  const time = page.getByRole('slider', { name: 'Time' });
+  await time.focus();
+  const after = async (/** @type {string} */ key) => {
+    await time.press(key);
+    await page.waitForTimeout(400);
+    return Number(await time.getAttribute('aria-valuenow'));
+  };
+  assert.equal(await after('Home'), 0);
+  const end = await after('End');
+  assert.ok(end > 0.2);
+  const before = await after('PageDown');
+  assert.ok(before < 0.95 * end && before > 0.8 * end, `${before} of ${end} s`);
+  assert.ok(await after('PageUp') > before);
+  await leave();
+});
+
+test('a change by the keyboard is spoken once it is made', async () => {
+  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  await untilVerdict(page, 'It shimmies');
+  const { slider } = knob(page, 'dampingConstant');
+  await slider.focus();
+  await slider.press('Shift+ArrowUp');
+  assert.equal(await slider.getAttribute('aria-valuetext'), '30.0 N m s/rad');
+  await page.locator('shimmy-verdict [aria-live]', { hasText: 'heads for ±11.8°' }).waitFor({ timeout: 5000 });
   await leave();
 });
 

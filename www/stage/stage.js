@@ -34,6 +34,7 @@ export class Stage extends LitElement {
     outlook: { attribute: false },
     time: { attribute: false },
     frequency: { attribute: false },
+    occasion: { attribute: false },
     isSlowToStart: { state: true },
   };
 
@@ -53,6 +54,8 @@ export class Stage extends LitElement {
     /** @type {Outlook | null} */ this.outlook = null;
     this.time = 0;
     /** @type {number | null} */ this.frequency = null;
+    /** Counts the changes that a hand has ended. */
+    this.occasion = 0;
     this.isSlowToStart = false;
     setTimeout(() => { this.isSlowToStart = true; }, patience);
   }
@@ -67,7 +70,7 @@ export class Stage extends LitElement {
     return html`
       <div class="gear" role="group" aria-label=${voice.say('stage.name')}>
         <shimmy-canvas .label=${voice.say('stage.gear')} .paint=${this.#paint}></shimmy-canvas>
-        <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .message=${this.#message(voice)}></shimmy-verdict>
+        <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .occasion=${this.occasion} .message=${this.#message(voice)}></shimmy-verdict>
       </div>
       <shimmy-transport role="group" aria-label=${voice.say('clock.name')} .voice=${voice} .isPlaying=${this.isPlaying} .isReady=${this.isReady}
         .slow=${this.slow} .frequency=${this.frequency} .kickImpulse=${kickImpulse}

@@ -35,6 +35,8 @@ export class Transport extends LitElement {
     const { voice, isPlaying, isReady, slow } = this;
     if (!voice) return html``;
     const press = (/** @type {string} */ what) => () => this.dispatchEvent(new CustomEvent('transport', { detail: what }));
+    // Without motion a run is walked through, not watched.
+    const [leads, follows] = stillness.matches ? ['primary', 'framed'] : ['framed', 'primary'];
     const start = voice.say('clock.start');
     const time = duration(1 / slow, voice);
     return html`
@@ -42,13 +44,13 @@ export class Transport extends LitElement {
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M2 2h2.5v12H2zM14 2v12L5.5 8z" /></svg>
       </button>
       <button type="button" class="framed step" aria-label=${voice.say('clock.back')} ?disabled=${!isReady} @click=${press('back')}>◂ <span>${voice.say('clock.step')}</span></button>
-      <button type="button" class="primary play" aria-label=${voice.say(isPlaying ? 'clock.pause' : 'clock.play')} ?disabled=${!isReady} @click=${press('toggle')}>
+      <button type="button" class="${follows} play" aria-label=${voice.say(isPlaying ? 'clock.pause' : 'clock.play')} ?disabled=${!isReady} @click=${press('toggle')}>
         <svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true">${isPlaying
           ? svg`<path d="M2 1h4v14H2zM10 1h4v14h-4z" />`
           : svg`<path d="M3 1l11 7-11 7z" />`}</svg>
         <span>${voice.say(isPlaying ? 'clock.pause' : 'clock.play')}</span>
       </button>
-      <button type="button" class="framed step" aria-label=${voice.say('clock.on')} ?disabled=${!isReady} @click=${press('on')}><span>${voice.say('clock.step')}</span> ▸</button>
+      <button type="button" class="${leads} step" aria-label=${voice.say('clock.on')} ?disabled=${!isReady} @click=${press('on')}><span>${voice.say('clock.step')}</span> ▸</button>
       <select class="framed" aria-label=${voice.say('clock.rate')} .value=${String(slow)} @change=${this.#chosen}>
         ${slowRates.map((rate) => this.#option(rate, voice))}
       </select>
@@ -70,6 +72,8 @@ export class Transport extends LitElement {
     this.dispatchEvent(new CustomEvent('rate', { detail: slow }));
   }
 }
+
+const stillness = matchMedia('(prefers-reduced-motion: reduce)');
 
 /** @param {number} seconds @param {Voice} voice */
 function duration(seconds, voice) {

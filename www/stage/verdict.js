@@ -11,10 +11,10 @@ const shortestSilence = 2000;
 
 /**
  * One word and two numbers: what the motion does, how wide, how fast, where it heads. All of it from the engine's
- * outlook. A screen reader hears it when the word changes or the motion settles, not at every number.
+ * outlook. A screen reader hears it when the word changes, the motion settles or a hand lets go, not at every number.
  */
 export class Verdict extends LitElement {
-  static properties = { outlook: { attribute: false }, voice: { attribute: false }, message: { attribute: false }, spoken: { state: true } };
+  static properties = { outlook: { attribute: false }, voice: { attribute: false }, message: { attribute: false }, occasion: { attribute: false }, spoken: { state: true } };
 
   #spokenKey = '';
   #spokenAt = -Infinity;
@@ -26,6 +26,8 @@ export class Verdict extends LitElement {
     /** @type {Voice | null} */ this.voice = null;
     /** Said instead of a verdict: the engine is starting, or refused to. */
     this.message = '';
+    /** Counts the changes that a hand has ended. */
+    this.occasion = 0;
     this.spoken = '';
   }
 
@@ -56,7 +58,7 @@ export class Verdict extends LitElement {
 
   /** @param {Outlook} outlook @param {Voice} voice */
   #speak(outlook, voice) {
-    const key = `${voice.language} ${outlook.verdict} ${outlook.settled}`;
+    const key = `${voice.language} ${outlook.verdict} ${outlook.settled} ${this.occasion}`;
     if (key === this.#spokenKey) return;
     clearTimeout(this.#later);
     const wait = this.#spokenAt + shortestSilence - performance.now();
