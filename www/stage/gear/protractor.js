@@ -20,8 +20,11 @@ const DEGREE = Math.PI / 180;
 const TICK = 5;
 const NUMBERED = 10;
 const REACH = 25;
-/** From the arc to its numbers [px]. */
-const NUMBERS_AT = 13;
+/** Length of the triangles at the last cycle's extremes [px, times the line's factor]. */
+const TRIANGLE = 9;
+
+/** From the arc to its numbers, clear of the triangles [px]. @param {Sheet} sheet */
+const numbersAt = (sheet) => TRIANGLE * sheet.line + 4;
 
 /** Radius of the wedge 0 … ψ, as a share of the protractor's. */
 export const WEDGE = 0.74;
@@ -41,10 +44,10 @@ export const atAngle = (sheet, radius, angle) => ({
 /** The room that the arc, its ticks and numbers take. @param {Sheet} sheet */
 export function protractorBox(sheet) {
   const arc = sheet.protractor * Math.sin(REACH * DEGREE);
-  const numbers = (sheet.protractor + NUMBERS_AT) * Math.sin(2 * NUMBERED * DEGREE);
+  const numbers = (sheet.protractor + numbersAt(sheet)) * Math.sin(2 * NUMBERED * DEGREE);
   const half = Math.max(arc, numbers + 0.5 * sheet.small) + 2;
   const left = atAngle(sheet, sheet.protractor, REACH * DEGREE).x - 4;
-  const right = sheet.axis.x + sheet.protractor + NUMBERS_AT + 2.8 * sheet.small;
+  const right = sheet.axis.x + sheet.protractor + numbersAt(sheet) + 2.8 * sheet.small;
   return { x: left, y: sheet.axis.y - half, width: right - left, height: 2 * half };
 }
 
@@ -88,12 +91,12 @@ function drawScale(ctx, sheet, scene, theme, words) {
 
   const style = { size: sheet.small, color: theme.ink2, halo: theme.ground };
   const decimals = NUMBERED % scene.magnification === 0 ? 0 : 1;
-  const apart = (radius + NUMBERS_AT) * Math.sin(NUMBERED * DEGREE);
+  const apart = (radius + numbersAt(sheet)) * Math.sin(NUMBERED * DEGREE);
   const step = apart > 1.15 * sheet.small ? NUMBERED : 2 * NUMBERED;
   for (let degrees = -2 * NUMBERED; degrees <= 2 * NUMBERED; degrees += step) {
     const number = formatNumber(degrees / scene.magnification, decimals, words.language);
     const text = [plain(degrees === 0 ? '0' : `${degrees > 0 ? '+' : ''}${number}°`)];
-    const at = atAngle(sheet, radius + NUMBERS_AT, degrees * DEGREE);
+    const at = atAngle(sheet, radius + numbersAt(sheet), degrees * DEGREE);
     const room = sheet.width - 4 - widthOf(ctx, text, sheet.small, theme);
     write(ctx, text, { x: Math.min(at.x, room), y: at.y }, style, theme);
   }
@@ -165,6 +168,6 @@ function drawExtremes(ctx, sheet, scene, theme) {
     const angle = scene.magnification * psi;
     if (!(Math.abs(angle) <= REACH * DEGREE)) continue;
     const tip = atAngle(sheet, sheet.protractor + 1, angle);
-    fillHead(ctx, tip.x, tip.y, Math.PI - angle, 9 * sheet.line);
+    fillHead(ctx, tip.x, tip.y, Math.PI - angle, TRIANGLE * sheet.line);
   }
 }

@@ -49,8 +49,12 @@ export function writeTopNotes(desk) {
   if (written) {
     const y = written.y + written.height / 2;
     const ink = { color: theme.ink2, halo: null, width: 1.6 * sheet.line, head: 9 * sheet.line };
-    drawArrow(ctx, { x: right - arrow, y }, { x: right, y }, ink);
-    placer.blockBox({ x: right - arrow, y: y - 6, width: arrow, height: 12 });
+    // The label may have been moved aside: the arrow takes what room is left, if it is worth an arrow.
+    const tail = Math.max(right - arrow, written.x + written.width + 8);
+    if (right - tail >= 2 * ink.head) {
+      drawArrow(ctx, { x: tail, y }, { x: right, y }, ink);
+      placer.blockBox({ x: tail, y: y - 6, width: right - tail, height: 12 });
+    }
   }
 
   const free = (written?.x ?? right) - 12 - MARGIN;
