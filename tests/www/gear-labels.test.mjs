@@ -162,3 +162,8 @@ test('a slanted obstacle blocks what it covers and not its whole box', () => {
   assert.equal(placer.place(20, 20, [{ x: 75, y: 5 }])?.x, 75);
   assert.notDeepEqual(placer.place(20, 20, [{ x: 40, y: 40 }]), { x: 40, y: 40, width: 20, height: 20 });
 });
+
+test('a label is there or it is not, however small what it names', () => {
+  for (const y of [0, 0.0005, 0.004, 0.008, 0.012, 0.03])
+    for (const { text, opacity } of record(sceneOf({ psi: 0.05, y })).texts) assert.equal(opacity, 1, `${text} at ${y} m`);
+});

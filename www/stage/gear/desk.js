@@ -28,7 +28,7 @@ const LEADING = 1.3;
  *
  * @param {Desk} desk
  * @param {readonly Run[]} runs
- * @param {{size: number, color: string, halo: string, opacity?: number, farthest?: number}} style
+ * @param {{size: number, color: string, halo: string, farthest?: number}} style
  * @param {(width: number, height: number) => {x: number, y: number}[]} wishes top left corners,
  *   dearest first
  * @returns {Box | null}
@@ -39,9 +39,7 @@ export function putLabel(desk, runs, style, wishes) {
   const height = LEADING * style.size;
   const box = placer.place(width, height, wishes(width, height), style.farthest);
   if (!box) return null;
-  ctx.globalAlpha = style.opacity ?? 1;
   write(ctx, runs, { x: box.x, y: box.y + height / 2 }, style, theme);
-  ctx.globalAlpha = 1;
   return box;
 }
 

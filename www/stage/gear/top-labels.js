@@ -20,8 +20,13 @@ import { plain, strong, subscript, symbol, widthOf } from './text.js';
 const DEGREES = 180 / Math.PI;
 const MARGIN = 16;
 
-/** A label appears while what it names grows from 2 to 6 pixels. @param {number} pixels */
-const opacityFor = (pixels) => Math.min(1, Math.max(0, (Math.abs(pixels) - 2) / 4));
+/**
+ * Whether what a label names is large enough to be seen. A pause can come at any size, so a label
+ * is there or it is not.
+ *
+ * @param {number} pixels
+ */
+const isSeen = (pixels) => Math.abs(pixels) >= 4;
 
 /** Decimals of an angle or a length that is drawn this much larger. @param {number} magnification */
 const decimalsAt = (magnification) => (magnification < 20 ? 1 : 2);
@@ -154,8 +159,7 @@ function writeTorsionAngle(desk, side) {
 /** @param {Desk} desk @param {ForceArrows} arrows */
 function writeSideForce(desk, arrows) {
   const { sheet, scene, theme, words } = desk;
-  const opacity = opacityFor(arrows.side.length);
-  if (opacity === 0) return;
+  if (!isSeen(arrows.side.length)) return;
   const { sideForce, sideForceLimited } = scene.forces;
   const size = Math.abs(sideForce);
   const inKilo = scene.forceScale.force >= 1000;
@@ -168,7 +172,7 @@ function writeSideForce(desk, arrows) {
   const x = from.x + reach * (to.x - from.x);
   const y = from.y + reach * (to.y - from.y);
   const up = to.y < from.y ? 1 : -1;
-  const style = { size: sheet.label, color: theme.force, halo: theme.ground, opacity };
+  const style = { size: sheet.label, color: theme.force, halo: theme.ground };
   /** @param {number} width @param {number} height */
   const wishes = (width, height) => {
     const highest = sheet.band.top + 3;
@@ -193,14 +197,13 @@ function writeSideForce(desk, arrows) {
 /** @param {Desk} desk @param {number} side */
 function writeDeformation(desk, side) {
   const { ctx, sheet, scene, pose, theme, words } = desk;
-  const opacity = opacityFor(pose.deformation * sheet.scale);
-  if (opacity === 0) return;
+  if (!isSeen(pose.deformation * sheet.scale)) return;
   const y = Math.abs(scene.state[2] ?? 0) * 1000;
   const number = formatNumber(y, decimalsAt(scene.magnification), words.language);
   const ring = onSheet(sheet, pose, pose.half, pose.deformation);
   const edge = side * onSheet(sheet, pose, pose.half, 0).y;
   const clear = side * edge - side * (0.62 * WHEEL_WIDTH * sheet.scale);
-  const style = { size: sheet.label, color: theme.y, halo: theme.ground, opacity, farthest: 90 };
+  const style = { size: sheet.label, color: theme.y, halo: theme.ground, farthest: 90 };
   const box = putLabel(desk, [symbol('y'), strong(` ${number} mm`)], style, (width, height) =>
     [4, 10, 16, 22, 28, 34, 40].flatMap((gap) =>
       [8, 26, -0.3 * width].map((dx) => ({
@@ -214,24 +217,21 @@ function writeDeformation(desk, side) {
     x: Math.min(box.x + box.width - 4, Math.max(box.x + 4, ring.x + 8)),
     y: side > 0 ? box.y + box.height - 1 : box.y + 1,
   };
-  ctx.globalAlpha = opacity;
   ctx.strokeStyle = theme.y;
   ctx.lineWidth = 1.4 * sheet.line;
   ctx.beginPath();
   ctx.moveTo(foot.x, foot.y);
   ctx.lineTo(ring.x, ring.y - side * 6 * sheet.line);
   ctx.stroke();
-  ctx.globalAlpha = 1;
 }
 
 /** @param {Desk} desk @param {number} side */
 function writeSlipAngle(desk, side) {
   const { sheet, scene, pose, theme, words } = desk;
-  const opacity = opacityFor(pose.deformation * sheet.scale);
-  if (opacity === 0) return;
+  if (!isSeen(pose.deformation * sheet.scale)) return;
   const alpha = Math.abs(scene.forces.slipAngle) * DEGREES;
   const number = formatNumber(alpha, decimalsAt(scene.magnification), words.language);
-  const style = { size: sheet.label, color: theme.y, halo: theme.ground, opacity, farthest: 70 };
+  const style = { size: sheet.label, color: theme.y, halo: theme.ground, farthest: 70 };
   putLabel(desk, [symbol('α'), strong(` ${number}°`)], style, (width, height) => {
     const limit = protractorBox(sheet).x - 4 - width;
     const along = onSheet(sheet, pose, pose.half + 0.6 * pose.relaxation, 0.4 * pose.deformation);
@@ -249,12 +249,11 @@ function writeSlipAngle(desk, side) {
 function writeAligningMoment(desk, arrows) {
   const { sheet, scene, theme, words } = desk;
   const { x, y, radius, start, end } = arrows.moment;
-  const opacity = opacityFor(radius * (end - start));
-  if (opacity === 0) return;
+  if (!isSeen(radius * (end - start))) return;
   const decimals = scene.forceScale.moment < 20 ? 1 : 0;
   const number = formatNumber(Math.abs(scene.forces.aligningMoment), decimals, words.language);
   const runs = [symbol('M'), subscript('z'), strong(` ${number} N m`)];
-  const style = { size: sheet.label, color: theme.force, halo: theme.ground, opacity };
+  const style = { size: sheet.label, color: theme.force, halo: theme.ground };
   putLabel(desk, runs, style, (width, height) =>
     [0.5, 0.25, 0, 0.75, 1].flatMap((share) => {
       const angle = start + (end - start) * share;
