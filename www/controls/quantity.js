@@ -51,7 +51,7 @@ export class Quantity {
   number(value, voice) {
     const shown = this.toShown(value);
     if (shown !== 0 && (Math.abs(shown) >= 1e6 || Math.abs(shown) < 1e-6)) return voice.power(shown);
-    return voice.number(shown, decimalsOf(shown, this.decimals));
+    return voice.number(shown, decimalsOf(shown, this.isFar(value) ? 0 : this.decimals));
   }
 
   /**
