@@ -127,6 +127,16 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// A number as an error shows it: short, whatever its size, and in words that JavaScript has too.
+pub(crate) fn shown(value: f64) -> String {
+    match value {
+        _ if value.is_nan() => "NaN".into(),
+        _ if value.is_infinite() => if value > 0.0 { "Infinity" } else { "-Infinity" }.into(),
+        _ if value != 0.0 && !(1e-6..1e15).contains(&value.abs()) => format!("{value:e}"),
+        _ => value.to_string(),
+    }
+}
+
 /// The known name nearest to `name`, or none where nothing is near.
 ///
 /// Near: an edit distance (insert, delete, replace) of at most a third of the longer name, letter case aside.
@@ -134,6 +144,12 @@ pub fn nearest(name: &str, known: &[&'static str]) -> Option<&'static str> {
     // An absurdly long name is near to nothing, and its distance would cost its length.
     if name.len() > 60 {
         return None;
+    }
+    // What stands within a known name stands for it: damping for dampingConstant.
+    let part = name.to_ascii_lowercase();
+    let holds = |candidate: &&str| part.len() >= 3 && candidate.to_ascii_lowercase().contains(&part);
+    if let Some(candidate) = known.iter().copied().find(holds) {
+        return Some(candidate);
     }
     let wanted: Vec<char> = name.to_ascii_lowercase().chars().collect();
     known
@@ -172,10 +188,17 @@ mod tests {
     }
 
     #[test]
+    fn numbers_are_shown_short() {
+        let shown = [f64::INFINITY, -f64::INFINITY, f64::NAN, 1e300, 1e-300, -3.0, 0.0, 1e12].map(shown);
+        assert_eq!(shown, ["Infinity", "-Infinity", "NaN", "1e300", "1e-300", "-3", "0", "1000000000000"]);
+    }
+
+    #[test]
     fn nearest_name_is_suggested_and_nonsense_is_not() {
         let known = ["velocity", "casterLength", "dampingConstant"];
         assert_eq!(nearest("velocty", &known), Some("velocity"));
         assert_eq!(nearest("CasterLenght", &known), Some("casterLength"));
+        assert_eq!(nearest("damping", &known), Some("dampingConstant"));
         assert_eq!(nearest("qqqqqqqq", &known), None);
         assert_eq!(nearest(&"x".repeat(100_000), &known), None);
         let error = Error::unknown(Code::UnknownKey, "parameters", "velocty", &known);

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Error, Result, shown};
 
 /// One parameter of a model.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -76,7 +76,7 @@ pub fn check_number(name: &str, value: f64, validity: Validity, unit: &str) -> R
         }
     };
     if !value.is_finite() {
-        return Err(Error::new(Code::NotFinite, name, value.to_string(), allowed));
+        return Err(Error::new(Code::NotFinite, name, shown(value), allowed));
     }
     let inside = match validity {
         Validity::Positive => value > 0.0,
@@ -84,10 +84,10 @@ pub fn check_number(name: &str, value: f64, validity: Validity, unit: &str) -> R
         Validity::Finite => true,
     };
     if !inside {
-        return Err(Error::new(Code::OutOfRange, name, value.to_string(), allowed));
+        return Err(Error::new(Code::OutOfRange, name, shown(value), allowed));
     }
     if value.abs() > LARGEST {
-        return Err(Error::new(Code::OutOfRange, name, value.to_string(), format!("at most 1e12{unit} in magnitude")));
+        return Err(Error::new(Code::OutOfRange, name, shown(value), format!("at most 1e12{unit} in magnitude")));
     }
     Ok(value)
 }
@@ -140,7 +140,7 @@ mod tests {
         assert_eq!(speed(-3.0).unwrap_err().to_string(), "velocity must be > 0 m/s, got -3");
         assert_eq!(speed(0.0).unwrap_err().code, Code::OutOfRange);
         assert_eq!(speed(f64::NAN).unwrap_err().code, Code::NotFinite);
-        assert_eq!(speed(f64::INFINITY).unwrap_err().to_string(), "velocity must be > 0 m/s, got inf");
+        assert_eq!(speed(f64::INFINITY).unwrap_err().to_string(), "velocity must be > 0 m/s, got Infinity");
         assert_eq!(speed(1e13).unwrap_err().code, Code::OutOfRange);
         assert!(check_number("casterLength", -0.5, Validity::Finite, "m").is_ok());
     }

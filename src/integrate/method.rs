@@ -129,6 +129,19 @@ impl Method {
 }
 
 impl Scheme {
+    /// The number that snapshots know it by: its place in the list.
+    pub(super) fn number(self) -> u64 {
+        METHODS.iter().position(|(method, _)| *method == Method::Always(self)).unwrap_or(METHODS.len()) as u64
+    }
+
+    /// The scheme of a number.
+    pub(super) fn numbered(number: u64) -> Option<Self> {
+        match METHODS.get(usize::try_from(number).ok()?)?.0 {
+            Method::Always(scheme) => Some(scheme),
+            Method::Auto => None,
+        }
+    }
+
     /// Public name.
     pub fn name(self) -> &'static str {
         METHODS

@@ -4,8 +4,9 @@
 //! [`Integrator`] is the one driver that takes steps with any of them, controls the error, finds where a piecewise law
 //! changes and restarts there; a [`Trajectory`] is what comes out. Nothing here allocates within a step.
 //!
-//! To add a method: write its file beside `dormand_prince.rs`, and add its line to [`Method`] and to the driver's
-//! `attempt` and `prepare_dense`.
+//! To add a method: write its file beside `dormand_prince.rs`, add it to [`Scheme`] and its line to the list in
+//! `method.rs`, and follow the compiler through the driver, which matches on the scheme wherever it must know it; `order`
+//! and `controller` at its end say how steps follow its error.
 
 mod controller;
 mod dense;

@@ -74,7 +74,7 @@ impl Columns {
 }
 
 fn out_of_memory(rows: usize) -> Error {
-    Error::new(Code::TooLarge, "samples", rows.to_string(), "no more than memory holds")
+    Error::new(Code::TooLarge, "the trajectory", format!("{rows} rows"), "no longer than memory holds")
 }
 
 /// Carries a motion from t = 0 to its end and collects what is wanted.

@@ -10,11 +10,11 @@ use super::{
     snapshot,
 };
 use crate::{
-    error::{Code, Error, Result},
+    error::{Code, Error, Result, shown},
     integrate::Stats,
     model::{Description, Model},
     parameter::{Validity, check_number, parameter_index, state_index},
-    run::{MOST_SAMPLES, Posed},
+    run::{MOST_SAMPLES, Posed, check_fixed_step},
 };
 
 /// Steps remembered for [`Live::trace`]; when they are full, they are thinned to half.
@@ -46,13 +46,15 @@ impl<M: Model<N>, const N: usize> Motion<M, N> {
     fn change(&mut self, change: Change) -> Result<()> {
         let before = self.present.clone();
         self.present.apply(self.time, change).map_err(|_| {
-            let at = self.time.to_string();
+            let at = shown(self.time);
             Error::new(Code::Diverged, "the motion", at, "with this change its rate is not finite; it goes on without")
         })?;
         self.journal.write(&before, self.time, change);
         self.keyframes.forget_after(self.time);
         self.latest = self.time;
-        self.trace.push(self.time, self.present.integrator.state());
+        // The rest of the step that was under way does not happen.
+        self.trace.truncate_after(self.time);
+        self.trace.push_within(TRACE, self.time, self.present.integrator.state());
         Ok(())
     }
 
@@ -62,11 +64,11 @@ impl<M: Model<N>, const N: usize> Motion<M, N> {
         for (name, value) in [("from", from), ("to", to)] {
             if !(earliest..=latest).contains(&value) {
                 let allowed = format!("within the range {earliest} … {latest} s");
-                return Err(Error::new(Code::OutOfRange, name, value.to_string(), allowed));
+                return Err(Error::new(Code::OutOfRange, name, shown(value), allowed));
             }
         }
         if to < from {
-            return Err(Error::new(Code::NotAscending, "to", to.to_string(), format!("≥ {from} s (from)")));
+            return Err(Error::new(Code::NotAscending, "to", shown(to), format!("≥ {from} s (from)")));
         }
         whole(field, count, least)
     }
@@ -78,7 +80,7 @@ fn whole(field: &str, count: f64, least: usize) -> Result<usize> {
         return Ok(count as usize);
     }
     let code = if count > MOST_SAMPLES as f64 { Code::TooLarge } else { Code::OutOfRange };
-    Err(Error::new(code, field, count.to_string(), format!("a whole number from {least} to 1e7")))
+    Err(Error::new(code, field, shown(count), format!("a whole number from {least} to 1e7")))
 }
 
 impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
@@ -112,10 +114,7 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
         let Self { keyframes, trace, journal, present, .. } = self;
         let outcome = journal.follow(present, target, self.posed.run.max_steps(), |cursor| {
             keyframes.keep(cursor);
-            if trace.time.len() == TRACE {
-                trace.thin(TRACE / 2);
-            }
-            trace.push(cursor.integrator.time(), cursor.integrator.state());
+            trace.push_within(TRACE, cursor.integrator.time(), cursor.integrator.state());
         });
         self.journal.forget_before(self.keyframes.applied());
         self.time = if outcome.is_ok() { target } else { self.present.integrator.time() };
@@ -128,6 +127,12 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
         let value = M::PARAMETERS[index].check(value)?;
         if self.present.parameters()[index] == value {
             return Ok(());
+        }
+        if let Some(step) = self.posed.run.fixed_step() {
+            let mut parameters = self.parameters();
+            parameters[index] = value;
+            let x = self.present.integrator.interpolate(self.time);
+            check_fixed_step(&M::new(&parameters), &x, step)?;
         }
         self.change(Change::Parameter { index, value })
     }
@@ -152,7 +157,7 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
         let [earliest, latest] = self.range();
         if !(earliest..=latest).contains(&time) {
             let allowed = format!("within the range {earliest} … {latest} s");
-            return Err(Error::new(Code::OutOfRange, "time", time.to_string(), allowed));
+            return Err(Error::new(Code::OutOfRange, "time", shown(time), allowed));
         }
         let mut cursor = self.keyframes.before(time);
         self.journal.follow(&mut cursor, time, u64::MAX, |_| ())?;
@@ -177,8 +182,8 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
 
     fn trace(&mut self, most: f64) -> Result<Columns> {
         let most = whole("max", most, 2)?;
-        let mut columns = self.trace.clone();
-        self.trace.clear();
+        // The step under way ends later than the time shown: its turn comes.
+        let mut columns = self.trace.take_until(self.time);
         columns.thin(most);
         Ok(columns)
     }
@@ -202,13 +207,17 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
         let mut cursor = self.keyframes.before(from);
         self.journal.follow(&mut cursor, from, u64::MAX, |_| ())?;
         envelope.take(0.0, cursor.integrator.interpolate(from)[0]);
-        self.journal.follow(&mut cursor, to, u64::MAX, |cursor| {
+        let mut look = |cursor: &mut Cursor<M, N>| {
             let motion = &mut cursor.integrator;
             envelope.take((motion.time() - from) / width, motion.state()[0]);
             if let Some((t, value)) = motion.turning_point(0) {
                 envelope.take((t - from) / width, value);
             }
-        })?;
+        };
+        // The step that `from` lies in has an end and perhaps a peak after it.
+        look(&mut cursor);
+        self.journal.follow(&mut cursor, to, u64::MAX, look)?;
+        envelope.take(1.0, cursor.integrator.interpolate(to)[0]);
         Ok(envelope.close())
     }
 }

@@ -22,6 +22,29 @@ impl Columns {
         }
     }
 
+    /// Pushes a row, where need be after thinning to half of `most` rows.
+    pub(super) fn push_within(&mut self, most: usize, t: f64, x: &[f64]) {
+        if self.time.len() >= most {
+            self.thin(most / 2);
+        }
+        self.push(t, x);
+    }
+
+    /// Forgets the rows after time `t`.
+    pub(super) fn truncate_after(&mut self, t: f64) {
+        let kept = self.time.partition_point(|time| *time <= t);
+        for column in std::iter::once(&mut self.time).chain(&mut self.states) {
+            column.truncate(kept);
+        }
+    }
+
+    /// Takes out the rows up to time `t`.
+    pub(super) fn take_until(&mut self, t: f64) -> Self {
+        let taken = self.time.partition_point(|time| *time <= t);
+        let take = |column: &mut Vec<f64>| column.drain(..taken).collect();
+        Self { time: take(&mut self.time), states: self.states.iter_mut().map(take).collect() }
+    }
+
     pub(super) fn clear(&mut self) {
         self.time.clear();
         for column in &mut self.states {

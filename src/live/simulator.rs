@@ -54,7 +54,8 @@ pub trait Live {
     /// # Errors
     /// Bytes that are not such a snapshot; the motion stays as it was.
     fn restore(&mut self, bytes: &[u8]) -> Result<()>;
-    /// The solver's steps since the last call, thinned to at most `most` ≥ 2 rows without losing a peak.
+    /// The solver's steps since the last call up to the time shown, thinned to at most `most` ≥ 2 rows. With room for two
+    /// rows a state no peak is lost; some 10 000 steps are remembered, then every other stretch's peaks.
     ///
     /// # Errors
     /// A bad `most`.

@@ -17,7 +17,7 @@ const MAGIC: &[u8; 8] = b"shimmy\0\x01";
 /// The moment `time` of a cursor.
 pub(super) fn write<M: Model<N>, const N: usize>(cursor: &Cursor<M, N>, time: f64) -> Vec<u8> {
     let mut writer = Writer(MAGIC.to_vec());
-    writer.bits(&mut tables::<M, N>());
+    writer.bits(&mut kind(cursor));
     writer.number(&mut time.clone());
     cursor.clone().code(&mut writer);
     let sum = hash(&writer.0);
@@ -27,7 +27,9 @@ pub(super) fn write<M: Model<N>, const N: usize>(cursor: &Cursor<M, N>, time: f6
 
 /// The cursor and the time of a snapshot; `like` gives what is not in it (tolerances, method).
 pub(super) fn read<M: Model<N>, const N: usize>(bytes: &[u8], like: &Cursor<M, N>) -> Result<(Cursor<M, N>, f64)> {
-    let refused = |what: &str| Error::new(Code::BadSnapshot, "bytes", what, format!("a snapshot of a {} run", M::NAME));
+    let refused = |what: &str| {
+        Error::new(Code::BadSnapshot, "bytes", what, format!("a snapshot of a {} run with the same settings", M::NAME))
+    };
     let Some((body, sum)) = bytes.split_last_chunk::<8>() else { return Err(refused("too few bytes")) };
     let Some(rest) = body.strip_prefix(MAGIC) else { return Err(refused("bytes of something else")) };
     if u64::from_le_bytes(*sum) != hash(body) {
@@ -36,8 +38,8 @@ pub(super) fn read<M: Model<N>, const N: usize>(bytes: &[u8], like: &Cursor<M, N
     let mut reader = Reader { rest, whole: true };
     let (mut model, mut time) = (0, 0.0);
     reader.bits(&mut model);
-    if model != tables::<M, N>() {
-        return Err(refused("a snapshot of another model"));
+    if model != kind(like) {
+        return Err(refused("a snapshot of another model, method or tolerance"));
     }
     reader.number(&mut time);
     let mut cursor = like.clone();
@@ -52,11 +54,13 @@ pub(super) fn read<M: Model<N>, const N: usize>(bytes: &[u8], like: &Cursor<M, N
     Ok((cursor, time))
 }
 
-/// Tells models, and versions of their tables, apart.
-fn tables<M: Model<N>, const N: usize>() -> u64 {
+/// Tells runs apart that cannot take up each other's motions: by their model, the version of its tables, and their
+/// settings.
+fn kind<M: Model<N>, const N: usize>(cursor: &Cursor<M, N>) -> u64 {
     let Description { name, parameters, state, .. } = Description::of::<N, M>();
     let names = parameters.iter().map(|p| p.name).chain(state.iter().map(|s| s.name));
-    hash(std::iter::once(name).chain(names).collect::<Vec<_>>().join(" ").as_bytes())
+    let tables = std::iter::once(name).chain(names).collect::<Vec<_>>().join(" ");
+    hash(format!("{tables} {}", cursor.integrator.settings()).as_bytes())
 }
 
 /// FNV-1a: finds accidents, not intent.

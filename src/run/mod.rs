@@ -4,13 +4,13 @@ mod parse;
 mod problem;
 mod value;
 
-pub(crate) use problem::Posed;
 pub use problem::Problem;
+pub(crate) use problem::{Posed, check_fixed_step};
 pub use value::Value;
 
 use crate::{
-    error::{Code, Error, Result},
-    integrate::{Method, Output, Trajectory},
+    error::{Code, Error, Result, shown},
+    integrate::{Method, Output, Scheme, Trajectory},
     live::Simulator,
     model::{self, Description},
     outlook::{HORIZON, Outlook},
@@ -124,7 +124,7 @@ impl Run {
     /// A tolerance outside of 10⁻¹⁴ … 0.1.
     pub fn within(mut self, rtol: f64) -> Result<Self> {
         if !RTOL.contains(&rtol) {
-            return Err(Error::new(Code::OutOfRange, "rtol", rtol.to_string(), "between 1e-14 and 0.1"));
+            return Err(Error::new(Code::OutOfRange, "rtol", shown(rtol), "between 1e-14 and 0.1"));
         }
         self.rtol = rtol;
         Ok(self)
@@ -145,7 +145,7 @@ impl Run {
     /// Not a whole number from 1 to 10⁹.
     pub fn at_most(mut self, steps: f64) -> Result<Self> {
         if !(1.0..=MOST_STEPS).contains(&steps) || steps.fract() != 0.0 {
-            return Err(Error::new(Code::OutOfRange, "maxSteps", steps.to_string(), "a whole number from 1 to 1e9"));
+            return Err(Error::new(Code::OutOfRange, "maxSteps", shown(steps), "a whole number from 1 to 1e9"));
         }
         self.max_steps = steps as u64;
         Ok(self)
@@ -168,7 +168,7 @@ impl Run {
     pub fn sampled(mut self, samples: f64) -> Result<Self> {
         if !(2.0..=MOST_SAMPLES as f64).contains(&samples) || samples.fract() != 0.0 {
             let code = if samples > MOST_SAMPLES as f64 { Code::TooLarge } else { Code::OutOfRange };
-            return Err(Error::new(code, "samples", samples.to_string(), "a whole number from 2 to 1e7"));
+            return Err(Error::new(code, "samples", shown(samples), "a whole number from 2 to 1e7"));
         }
         self.output = Output::Samples(samples as usize);
         Ok(self)
@@ -200,6 +200,11 @@ impl Run {
     /// How far an outlook sees, in s.
     pub(crate) fn horizon(&self) -> f64 {
         self.duration.unwrap_or(HORIZON)
+    }
+
+    /// The fixed step that it is taken with, if it is.
+    pub(crate) fn fixed_step(&self) -> Option<f64> {
+        (self.method == Method::Always(Scheme::RungeKutta4)).then_some(self.step)
     }
 
     /// Most steps it may take.
@@ -245,10 +250,10 @@ fn check_times(times: &[f64]) -> Result<()> {
         return refused(Code::TooLarge, format!("{} times", times.len()), "at most 1e7 times");
     }
     if let Some((i, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
-        return refused(Code::NotFinite, format!("{t} at index {i}"), "finite numbers of s");
+        return refused(Code::NotFinite, format!("{} at index {i}", shown(*t)), "finite numbers of s");
     }
     if times[0] < 0.0 {
-        return refused(Code::OutOfRange, times[0].to_string(), "≥ 0 s");
+        return refused(Code::OutOfRange, shown(times[0]), "≥ 0 s");
     }
     if let Some(i) = (1..times.len()).find(|&i| times[i] < times[i - 1]) {
         return refused(Code::NotAscending, format!("{} after {}", times[i], times[i - 1]), "ascending");

@@ -1,11 +1,14 @@
 //! Reading a run from untyped input.
 
 use super::{Run, Value};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Error, Result, shown};
 
 /// The keys of a run.
 const KEYS: [&str; 11] =
     ["model", "parameters", "initial", "duration", "method", "rtol", "atol", "step", "maxSteps", "times", "samples"];
+
+/// Parts that a run may name as absent: none of the models has room for them.
+const ABSENT: [&str; 5] = ["damper", "tire", "friction", "control", "disturbance"];
 
 impl Run {
     /// Reads a run from a record. A missing key takes its default, an absent value counts as missing.
@@ -14,7 +17,20 @@ impl Run {
     /// Anything that is not a record of the known keys with valid values; the error names the field.
     pub fn read(input: &Value) -> Result<Self> {
         let entries = record("run", input)?;
-        for (key, _) in entries {
+        for (key, value) in entries {
+            if ABSENT.contains(&key.as_str()) {
+                match value {
+                    Value::Absent => continue,
+                    given => {
+                        return Err(Error::new(
+                            Code::Unsuited,
+                            key,
+                            given.shown(),
+                            "absent or null: no model takes it",
+                        ));
+                    }
+                }
+            }
             if !KEYS.contains(&key.as_str()) {
                 return Err(Error::unknown(Code::UnknownKey, "run", key, &KEYS));
             }
@@ -77,7 +93,10 @@ fn number_of(run: &Run, name: &str, value: &Value) -> Result<f64> {
         Value::Number(number) => Ok(*number),
         // The table's own words for what is allowed.
         other => match table[index].check(f64::NAN) {
-            Err(error) => Err(Error { code: Code::WrongType, value: other.shown(), ..error }),
+            Err(error) => {
+                let allowed = format!("a number {}", error.allowed.trim_start_matches("a finite number "));
+                Err(Error { code: Code::WrongType, value: other.shown(), allowed, ..error })
+            }
             Ok(_) => Ok(f64::NAN),
         },
     }
@@ -113,7 +132,7 @@ fn text<'a>(field: &str, value: &'a Value) -> Result<&'a str> {
 fn number(field: &str, value: &Value, allowed: &str) -> Result<f64> {
     match value {
         Value::Number(number) if !number.is_finite() => {
-            Err(Error::new(Code::NotFinite, field, number.to_string(), allowed))
+            Err(Error::new(Code::NotFinite, field, shown(*number), allowed))
         }
         Value::Number(number) => Ok(*number),
         other => Err(wrong_type(field, other, allowed)),

@@ -2,7 +2,7 @@
 
 use super::Run;
 use crate::{
-    error::{Code, Error, Result},
+    error::{Code, Error, Result, shown},
     integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, jacobian, solve},
     live::{Motion, Simulator},
     model::Model,
@@ -68,38 +68,19 @@ impl<M: Model<N>, const N: usize> Posed<M, N> {
     pub fn motion(&self, longest_step: f64) -> Result<Integrator<M, N>> {
         let Run { rtol, atol, step, .. } = self.run;
         let absolute = std::array::from_fn(|i| atol.unwrap_or(rtol / 100.0 * M::STATE[i].scale));
-        self.check_fixed_step()?;
+        if self.run.method == Method::Always(Scheme::RungeKutta4) {
+            check_fixed_step(&self.system, &self.initial(), step)?;
+        }
         let tolerance = Tolerance { relative: rtol, absolute };
         Integrator::new(self.system.clone(), self.run.method, tolerance, step, longest_step, self.initial())
             .map_err(|failure| failed(failure, 0.0))
-    }
-
-    /// A fixed step must be stable at the start: beyond that, its result would be finite and worthless.
-    fn check_fixed_step(&self) -> Result<()> {
-        if self.run.method != Method::Always(Scheme::RungeKutta4) {
-            return Ok(());
-        }
-        let step = self.run.step;
-        let x = self.initial();
-        let rows = jacobian(&self.system, self.system.mode(0.0, &x), 0.0, &x);
-        let matrix = nalgebra::DMatrix::from_fn(N, N, |i, j| rows[i][j]);
-        if !matrix.iter().all(|entry| entry.is_finite()) {
-            return Ok(()); // the motion itself says so
-        }
-        let Some(schur) = nalgebra::Schur::try_new(matrix, f64::EPSILON, 1000) else { return Ok(()) };
-        let fastest = schur.complex_eigenvalues().iter().fold(0.0_f64, |most, value| most.max(value.norm()));
-        if step * fastest > RK4_STABLE {
-            let allowed = format!("at most {:.3e} s for rk4 with these parameters", RK4_STABLE / fastest);
-            return Err(Error::new(Code::Unsuited, "step", step.to_string(), allowed));
-        }
-        Ok(())
     }
 
     fn check_step_count(&self) -> Result<()> {
         let Run { step, max_steps, .. } = self.run;
         if self.run.method == Method::Always(Scheme::RungeKutta4) && self.run.duration() / step > max_steps as f64 {
             let allowed = format!("long enough to reach {} s in {max_steps} steps (maxSteps)", self.run.duration());
-            return Err(Error::new(Code::TooLarge, "step", step.to_string(), allowed));
+            return Err(Error::new(Code::TooLarge, "step", shown(step), allowed));
         }
         Ok(())
     }
@@ -118,4 +99,26 @@ impl<M: Model<N>, const N: usize> Problem for Posed<M, N> {
     fn live(&self) -> Result<Simulator> {
         Ok(Simulator::new(Box::new(Motion::start(Posed::<M, N>::new(self.run.clone()))?)))
     }
+}
+
+/// A fixed step must be stable: beyond that, its result would be finite and worthless. Looked at where the motion is, in
+/// its mode, and with the spring at work where it is in the gap now.
+pub(crate) fn check_fixed_step<M: Model<N>, const N: usize>(system: &M, x: &[f64; N], step: f64) -> Result<()> {
+    let fastest = fastest_rate(system, x).max(system.without_freeplay().map_or(0.0, |gear| fastest_rate(&gear, x)));
+    if step * fastest > RK4_STABLE {
+        let allowed = format!("at most {:.3e} s for rk4 with these parameters", RK4_STABLE / fastest);
+        return Err(Error::new(Code::Unsuited, "step", shown(step), allowed));
+    }
+    Ok(())
+}
+
+/// Largest |λ| of the Jacobian at `x`; 0 where it is not finite (the motion itself says so).
+fn fastest_rate<M: Model<N>, const N: usize>(system: &M, x: &[f64; N]) -> f64 {
+    let rows = jacobian(system, system.mode(0.0, x), 0.0, x);
+    let matrix = nalgebra::DMatrix::from_fn(N, N, |i, j| rows[i][j]);
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        return 0.0;
+    }
+    let Some(schur) = nalgebra::Schur::try_new(matrix, f64::EPSILON, 1000) else { return 0.0 };
+    schur.complex_eigenvalues().iter().fold(0.0_f64, |most, value| most.max(value.norm()))
 }

@@ -27,7 +27,7 @@ impl Value {
         match self {
             Value::Absent => "nothing".into(),
             Value::Bool(value) => value.to_string(),
-            Value::Number(value) => value.to_string(),
+            Value::Number(value) => crate::error::shown(*value),
             Value::Text(text) => format!("\"{}\"", text.chars().take(60).collect::<String>()),
             Value::Numbers(numbers) => format!("a list of {} numbers", numbers.len()),
             Value::List(length) => format!("a list of {length} values"),

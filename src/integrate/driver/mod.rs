@@ -52,7 +52,7 @@ pub enum Outcome {
     Switch(usize),
 }
 
-/// Why no step could be taken. The motion stays where it was.
+/// Why no step could be taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Failure {
     /// The state left the finite numbers.
@@ -269,7 +269,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     fn accepted_attempt(&mut self, end: f64) -> Result<(f64, Attempt<N>), Failure> {
         let room = end - self.t;
         loop {
-            // A remainder shorter than a tenth of a step would be a step of its own: stretch or land exactly.
+            // A remainder of less than a hundredth of a step is taken along, not left for a step of its own.
             let mut h = self.h;
             if self.scheme == Scheme::RungeKutta4 {
                 h = self.to_grid();

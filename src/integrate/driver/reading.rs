@@ -22,7 +22,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     /// Whether the motion at time `t` within the last step, and its rate there, are finite numbers.
     pub(crate) fn is_finite_at(&mut self, t: f64) -> bool {
         let x = self.interpolate(t);
-        let rates = [self.system.rate(t, self.mode, &x), self.system.rate(self.t, self.mode, &self.x)];
+        let rates = [self.system.rate(t, self.from_mode, &x), self.system.rate(self.t, self.mode, &self.x)];
         x.iter().chain(rates.as_flattened()).all(|value| value.is_finite())
     }
 

@@ -5,17 +5,19 @@ use std::sync::Arc;
 use super::{super::method::Scheme, Integrator, Stats, controller};
 use crate::model::{Mode, System};
 
-/// The schemes by the numbers that snapshots know them by.
-const SCHEMES: [Scheme; 4] = [Scheme::DormandPrince, Scheme::Dop853, Scheme::RungeKutta4, Scheme::Rodas];
-
 impl<S: System<N>, const N: usize> Integrator<S, N> {
+    /// Method, tolerances and steps, as a text that tells them apart.
+    pub(crate) fn settings(&self) -> String {
+        format!("{:?} {:?} {} {}", self.method, self.tolerance, self.fixed_step, self.longest_step)
+    }
+
     /// Writes or reads every number of the motion but its system and settings, which are given. False where what was
     /// read makes no sense.
     pub(crate) fn code(&mut self, codec: &mut dyn crate::live::Codec, system: S) -> bool {
         self.system = Arc::new(system);
         let (mut mode, mut from_mode, mut fresh) = (self.mode.0.into(), self.from_mode.0.into(), self.fresh.into());
         let (mut looking, mut in_place) = (self.stiff_looking.into(), self.in_place.into());
-        let mut scheme = SCHEMES.iter().position(|scheme| *scheme == self.scheme).unwrap_or(0) as u64;
+        let mut scheme = self.scheme.number();
         let (mut stiff, mut going) = (u64::from(self.stats.stiff), u64::from(self.going_stiff));
         let Stats { steps, rejected, evaluations, events, .. } = &mut self.stats;
         let flags =
@@ -36,9 +38,9 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         for number in vectors.into_iter().chain(&mut self.k).flatten() {
             codec.number(number);
         }
-        let Some(scheme) = SCHEMES.get(scheme as usize) else { return false };
-        self.scheme = *scheme;
-        self.controller = self.controller.like(controller(*scheme));
+        let Some(scheme) = Scheme::numbered(scheme) else { return false };
+        self.scheme = scheme;
+        self.controller = self.controller.like(controller(scheme));
         sound &= self.controller.code(codec);
         (self.mode, self.from_mode, self.fresh) = (Mode(mode as u32), Mode(from_mode as u32), fresh as u32);
         (self.stiff_looking, self.in_place, self.stats.stiff) = (looking as u32, in_place as u32, stiff != 0);
