@@ -9,11 +9,23 @@ import { ROOT } from './root.mjs';
 /** @returns {string} */
 export function findNode() {
   const { engines } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'));
-  const wanted = Number(engines.node.match(/\d+/)[0]);
-  if (Number(process.versions.node.split('.')[0]) < wanted) {
-    throw new Missing(`this is ${process.version}, and ${wanted} or later is needed: https://nodejs.org`);
+  if (!serves(process.versions.node, engines.node)) {
+    throw new Missing(`this is ${process.version}, and ${engines.node} is needed: https://nodejs.org`);
   }
   return process.version;
+}
+
+/**
+ * Whether a version is in a range of the form `^20.19.0 || >=22.12.0`.
+ * @param {string} version @param {string} range
+ */
+function serves(version, range) {
+  const [major, minor] = version.split('.').map(Number);
+  return range.split('||').some((part) => {
+    const [wantedMajor, wantedMinor] = part.match(/\d+/g)?.map(Number) ?? [0, 0];
+    const same = major === wantedMajor && minor >= wantedMinor;
+    return same || (part.includes('>=') && major > wantedMajor);
+  });
 }
 
 /** Installs what the lock file says, unless it is there already. @returns {string} */
