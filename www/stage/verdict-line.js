@@ -14,7 +14,10 @@ const trusted = 0.5;
  * @returns {{ text: string, isExtra?: boolean }[]}
  */
 export function numbersOf({ verdict, settled, amplitude, frequency, present }, voice) {
-  if (verdict === 'rests') return [{ text: voice.say('verdict.rests.hint') }];
+  if (verdict === 'rests') {
+    const angle = swing(amplitude.torsionAngle, voice).replace('±', '');
+    return [{ text: settled ? voice.say('verdict.rests.hint') : voice.say('verdict.rests.at', { angle }) }];
+  }
   const beat = present.frequency ?? frequency;
   const hertz = beat ? [{ text: `${voice.number(beat, 1)} Hz` }] : [];
   const now = swing(present.amplitude, voice);

@@ -36,7 +36,7 @@ export const en = {
   'story.dies-out': 'Damper and tread take out more than the tire brings in. Drag the damping down until it shimmies.',
   'story.rattles': 'Inside the gap no spring holds the wheel, and there the tire swings it. Close the gap.',
   'story.grows': 'It swings wider than this model is trusted for. Drag the damping up.',
-  'story.rests': 'Nothing moves it. Kick the wheel and see what becomes of the swing.',
+  'story.rests': 'Nothing keeps it swinging. Kick the wheel and see what becomes of the swing.',
 
   'stage.name': 'The gear',
   'stage.gear': 'Landing gear drawn as it is now: from above with its tire and the track on the ground, its steering head, and from the right.',
@@ -47,6 +47,7 @@ export const en = {
   'verdict.rests': 'It rests',
   'verdict.stopped': 'The run stopped',
   'verdict.rests.hint': 'Nothing moves. Kick the wheel.',
+  'verdict.rests.at': 'It comes to a stop {angle} from straight ahead.',
   'verdict.growing': '{amplitude} and growing',
   'verdict.falling': '{amplitude} and falling',
   'verdict.settled': 'settled',

@@ -36,7 +36,7 @@ export const tr = {
   'story.dies-out': 'Sönümleyici ve sırt, lastiğin verdiğinden çoğunu alıyor. Shimmy başlayana dek sönümü azalt.',
   'story.rattles': 'Boşluğun içinde tekerleği hiçbir yay tutmuyor, lastik onu orada sallıyor. Boşluğu kapat.',
   'story.grows': 'Bu modelin güvenilir olduğundan geniş salınıyor. Sönümü artır.',
-  'story.rests': 'Onu kımıldatan bir şey yok. Tekerleğe vur ve salınımın ne olacağına bak.',
+  'story.rests': 'Onu salınımda tutan bir şey yok. Tekerleğe vur ve salınımın ne olacağına bak.',
 
   'stage.name': 'İniş takımı',
   'stage.gear': 'İniş takımının şu anki çizimi: üstten, lastiği ve yerdeki iziyle; dümenleme başı; sağdan.',
@@ -47,6 +47,7 @@ export const tr = {
   'verdict.rests': 'Duruyor',
   'verdict.stopped': 'Çalışma durdu',
   'verdict.rests.hint': 'Hiçbir şey kımıldamıyor. Tekerleğe vur.',
+  'verdict.rests.at': 'Düz doğrultudan {angle} açıda duruyor.',
   'verdict.growing': '{amplitude}, büyüyor',
   'verdict.falling': '{amplitude}, azalıyor',
   'verdict.settled': 'yerleşti',
