@@ -122,7 +122,8 @@ impl Simulator {
         self.with(|motion| motion.restore(&input::bytes(&bytes, "bytes")?))
     }
 
-    /// The solver's steps since the last call, thinned to at most `max` rows without losing a peak.
+    /// The solver's steps since the last call up to the time shown, thinned to at most `max` rows; with room for two rows
+    /// a state no peak is lost. Some 10 000 steps are remembered.
     #[wasm_bindgen(unchecked_return_type = "Columns")]
     pub fn trace(
         &self,
