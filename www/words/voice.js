@@ -1,5 +1,5 @@
-import { en } from './en.js';
-import { tr } from './tr.js';
+import { en } from './en/index.js';
+import { tr } from './tr/index.js';
 import { formatNumber, formatPower } from './number.js';
 
 /**

@@ -1,0 +1,30 @@
+/** Words of the lenses, in English. */
+export const lens = {
+  'lens.name': 'Lens',
+  'lens.phase': 'Phase',
+  'lens.forces': 'Forces',
+  'lens.stability': 'Stability',
+  'lens.cycles': 'Cycles',
+  'lens.damper': 'Damper',
+  'lens.landing': 'Landing',
+  'lens.compare': 'Compare',
+  'lens.later': '{lens}: not built yet',
+
+  'phase.name': 'Phase portrait: torsion rate over torsion angle. The trail fades into the past; the dotted line is where the motion goes.',
+  'phase.gap': 'inside the gap: no spring',
+  'phase.heads.shimmies': 'the cycle it settles on',
+  'phase.heads.rattles': 'the rattle it settles on',
+  'phase.heads.grows': '',
+  'phase.heads.dies-out': 'it spirals to rest',
+  'phase.heads.rests': '',
+  'phase.cycle': 'The cycle it settles on: {degrees} ({radians} rad) · {frequency} Hz',
+  'phase.rattle': 'The rattle it settles on: {degrees} ({radians} rad) · {frequency} Hz',
+  'phase.none': 'No limit cycle from here: this swing dies out.',
+  'phase.rest': 'The wheel is at rest.',
+  'phase.grows': 'No limit cycle within this model’s reach.',
+  'phase.fit': 'Fit',
+  'phase.fit.does': 'Fit the axes to this motion',
+
+  'state.torsionAngle': 'torsion angle',
+  'state.torsionRate': 'torsion rate',
+};

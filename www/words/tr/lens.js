@@ -1,0 +1,30 @@
+/** Words of the lenses, in Turkish. @type {typeof import('../en/lens.js').lens} */
+export const lens = {
+  'lens.name': 'Mercek',
+  'lens.phase': 'Faz',
+  'lens.forces': 'Kuvvetler',
+  'lens.stability': 'Kararlılık',
+  'lens.cycles': 'Çevrimler',
+  'lens.damper': 'Sönümleyici',
+  'lens.landing': 'İniş',
+  'lens.compare': 'Karşılaştırma',
+  'lens.later': '{lens}: henüz yapılmadı',
+
+  'phase.name': 'Faz portresi: burulma açısına karşı burulma hızı. İz geçmişe doğru solar; noktalı çizgi hareketin gittiği yerdir.',
+  'phase.gap': 'boşluğun içi: yay yok',
+  'phase.heads.shimmies': 'yerleşeceği çevrim',
+  'phase.heads.rattles': 'yerleşeceği takırtı',
+  'phase.heads.grows': '',
+  'phase.heads.dies-out': 'sarmalla durmaya gider',
+  'phase.heads.rests': '',
+  'phase.cycle': 'Yerleşeceği çevrim: {degrees} ({radians} rad) · {frequency} Hz',
+  'phase.rattle': 'Yerleşeceği takırtı: {degrees} ({radians} rad) · {frequency} Hz',
+  'phase.none': 'Buradan limit çevrime gidilmez: bu salınım söner.',
+  'phase.rest': 'Tekerlek duruyor.',
+  'phase.grows': 'Bu modelin erişiminde limit çevrim yok.',
+  'phase.fit': 'Sığdır',
+  'phase.fit.does': 'Eksenleri bu harekete sığdır',
+
+  'state.torsionAngle': 'burulma açısı',
+  'state.torsionRate': 'burulma hızı',
+};
