@@ -96,6 +96,11 @@ impl Error {
         }
     }
 
+    /// The model `name` has no `what`.
+    pub(crate) fn without(name: &str, what: &str) -> Self {
+        Self::new(Code::Unsuited, "model", name, format!("one with {what}, such as torsional"))
+    }
+
     /// The same error with its field placed inside a record: `parameters.velocity`.
     pub fn within(mut self, record: &str) -> Self {
         self.field = format!("{record}.{}", self.field);

@@ -38,6 +38,8 @@
 //! | [`integrate`] | methods, dense output, switches, trajectories |
 //! | [`run`] | a run, checked; reading it from untyped input |
 //! | [`live`] | a motion that goes on, takes changes and finds back |
+//! | [`stability`] | linear theory: Routh–Hurwitz, critical values, unstable intervals |
+//! | [`energy`] | where a swing's energy comes from and where it goes |
 //! | [`outlook`] | what becomes of a motion: one word and its numbers |
 //! | [`parameter`], [`error`], [`real`] | tables, refusals, numbers |
 //!
@@ -56,6 +58,7 @@
 //! ```
 
 pub mod element;
+pub mod energy;
 pub mod error;
 pub mod integrate;
 pub mod live;
@@ -64,6 +67,7 @@ pub mod outlook;
 pub mod parameter;
 pub mod real;
 pub mod run;
+pub mod stability;
 
 pub use error::{Code, Error, Result};
 pub use run::Run;

@@ -50,7 +50,7 @@ pub enum Validity {
 }
 
 /// Larger magnitudes than this overflow when they are squared and multiplied; no gear has them.
-const LARGEST: f64 = 1e12;
+pub(crate) const LARGEST: f64 = 1e12;
 
 impl Parameter {
     /// The value itself where it is valid, otherwise an error that says what is.

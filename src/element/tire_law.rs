@@ -75,6 +75,30 @@ impl PiecewiseTireLaw {
     }
 }
 
+/// The law for small slip: F_y = C_Fα α and M_z = −C_Mα α, with α = q.
+#[derive(Clone, Copy, Debug)]
+pub struct LinearTireLaw {
+    side_force_stiffness: f64,
+    aligning_stiffness: f64,
+}
+
+impl LinearTireLaw {
+    /// A law from C_Fα \[N/rad\] and C_Mα \[N m/rad\].
+    pub fn new(side_force_stiffness: f64, aligning_stiffness: f64) -> Self {
+        Self { side_force_stiffness, aligning_stiffness }
+    }
+
+    /// F_y \[N\] at the slip ratio q.
+    pub fn side_force(&self, q: f64) -> f64 {
+        self.side_force_stiffness * q
+    }
+
+    /// M_z \[N m\] at the slip ratio q.
+    pub fn aligning_moment(&self, q: f64) -> f64 {
+        -self.aligning_stiffness * q
+    }
+}
+
 fn slip_ratio(angle: f64) -> f64 {
     if angle < FRAC_PI_2 { angle.tan() } else { f64::INFINITY }
 }

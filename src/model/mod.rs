@@ -3,6 +3,7 @@
 //! A model is a [`System`] of first-order equations, piecewise smooth, together with its tables ([`Model`]). To add one:
 //! write its file, and add its line to [`list`].
 
+pub mod laws;
 pub mod system;
 pub mod torsional;
 pub mod torsional_linear;

@@ -1,8 +1,10 @@
 //! What a model offers to an integrator.
 
+use super::laws::Laws;
 use crate::{
     parameter::{Parameter, StateVariable},
     real::Real,
+    stability::{Number, TorsionalTheory},
 };
 
 /// Which piece of each piecewise law holds: two bits a kink (see [`crate::element::Side`]).
@@ -93,6 +95,18 @@ pub trait Model<const N: usize>: System<N> + 'static {
 
     /// The same gear without freeplay, where it has any: what a rattle is told by.
     fn without_freeplay(&self) -> Option<Self> {
+        None
+    }
+
+    /// Its force laws one by one, for checked parameter values in table order; none where it has no such laws.
+    fn laws(values: &[f64]) -> Option<Laws> {
+        let _ = values;
+        None
+    }
+
+    /// Its linear theory, where there is a closed form, for parameters in table order.
+    fn linear_theory<T: Number>(values: &[T]) -> Option<TorsionalTheory<T>> {
+        let _ = values;
         None
     }
 }

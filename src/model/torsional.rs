@@ -1,8 +1,11 @@
 //! The torsional nose landing gear on a stretched-string tire.
 
-use serde::Serialize;
+use std::ops::Mul;
 
-use super::{Mode, Model, System};
+use super::{
+    Mode, Model, System,
+    laws::{Laws, TireLaw},
+};
 use crate::{
     element::{
         Boundary, Side,
@@ -11,6 +14,7 @@ use crate::{
     },
     parameter::{Parameter, Scale, StateVariable, Validity},
     real::Real,
+    stability::{Number, TorsionalTheory},
 };
 
 /// State ψ: torsion angle.
@@ -82,46 +86,10 @@ pub struct Torsional {
     damping: f64,
     /// k s(ψ)/I_z
     spring: Spring,
-    law: PiecewiseTireLaw,
     /// tan δ and tan α_g
     limits: [f64; 2],
     /// (M_z − e F_y)/I_z
     tire: SteeringMoment,
-}
-
-/// Forces at a state: what a drawing shows.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Forces {
-    /// α \[rad\].
-    pub slip_angle: f64,
-    /// F_y \[N\].
-    pub side_force: f64,
-    /// M_z \[N m\].
-    pub aligning_moment: f64,
-    /// |α| > δ: the side force does not grow any more.
-    pub side_force_limited: bool,
-    /// s(ψ) \[rad\]: the angle that winds the spring.
-    pub spring_angle: f64,
-    /// −k s(ψ) \[N m\].
-    pub spring_torque: f64,
-}
-
-impl Torsional {
-    /// Forces at the state `x`.
-    pub fn forces(&self, x: &[f64; 3]) -> Forces {
-        let mode = self.mode(0.0, x);
-        let q = x[Y] * self.slip_ratio;
-        let spring_angle = self.spring.angle(x[PSI]);
-        Forces {
-            slip_angle: q.atan(),
-            side_force: self.law.side_force(q, mode.side(SIDE_FORCE)),
-            aligning_moment: self.law.aligning_moment(q, mode.side(ALIGNING)),
-            side_force_limited: mode.side(SIDE_FORCE) != Side::Within,
-            spring_angle,
-            spring_torque: -self.stiffness * spring_angle,
-        }
-    }
 }
 
 impl System<3> for Torsional {
@@ -200,7 +168,6 @@ impl Model<3> for Torsional {
             damping: (c + kappa / v) / i_z,
             stiffness: k,
             spring: Spring::new(k / i_z, freeplay),
-            law,
             limits: [law.side_force_limit(), law.aligning_limit()],
             tire: SteeringMoment::new(law, e, sigma, i_z),
         }
@@ -214,15 +181,55 @@ impl Model<3> for Torsional {
         (self.spring.freeplay() > 0.0)
             .then(|| Self { spring: Spring::new(self.stiffness * self.mobility, 0.0), ..self.clone() })
     }
+
+    fn laws(values: &[f64]) -> Option<Laws> {
+        let &[v, e, _, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, delta, alpha_g, kappa, freeplay] = values else {
+            return None;
+        };
+        Some(Laws {
+            tire: TireLaw::Piecewise(PiecewiseTireLaw::new(c_f_alpha * f_z, c_m_alpha * f_z, delta, alpha_g)),
+            relaxation_length: sigma,
+            caster_length: e,
+            stiffness: k,
+            freeplay,
+            damping: c,
+            tread_damping: kappa / v,
+            moment_of_inertia: i_z,
+        })
+    }
+
+    fn linear_theory<T: Number>(values: &[T]) -> Option<TorsionalTheory<T>> {
+        let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, _, _, kappa, freeplay] = values else {
+            return None;
+        };
+        Some(TorsionalTheory {
+            velocity: v,
+            caster_length: e,
+            half_contact_length: a,
+            relaxation_length: sigma,
+            moment_of_inertia: i_z,
+            torsional_stiffness: k,
+            damping_constant: c,
+            vertical_force: f_z,
+            side_force_derivative: c_f_alpha,
+            aligning_moment_derivative: c_m_alpha,
+            tread_width_moment_constant: kappa,
+            freeplay_angle: freeplay,
+        })
+    }
 }
 
 /// Values that the links σ = 3a and κ = 0.15 a² c_Fα F_z would give: an offer, never applied by the crate itself.
 ///
 /// `half_contact_length` a \[m\], `side_force_derivative` c_Fα \[1/rad\], `vertical_force` F_z \[N\] → (σ \[m\],
 /// κ \[N m²/rad\]). Source: the relations that hold among Somieski's data.
-pub fn linked(half_contact_length: f64, side_force_derivative: f64, vertical_force: f64) -> (f64, f64) {
+pub fn linked<T: Copy + Mul<Output = T> + From<f64>>(
+    half_contact_length: T,
+    side_force_derivative: T,
+    vertical_force: T,
+) -> (T, T) {
     let a = half_contact_length;
-    (3.0 * a, 0.15 * a * a * side_force_derivative * vertical_force)
+    (T::from(3.0) * a, T::from(0.15) * a * a * side_force_derivative * vertical_force)
 }
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;

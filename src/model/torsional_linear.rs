@@ -2,11 +2,14 @@
 
 use super::{
     Mode, Model, System,
+    laws::{Laws, TireLaw},
     torsional::{PARAMETERS as FULL, PSI, PSI_RATE, STATE, Y},
 };
 use crate::{
+    element::tire_law::LinearTireLaw,
     parameter::{Parameter, StateVariable},
     real::Real,
+    stability::{Number, TorsionalTheory},
 };
 
 /// The torsional gear ([`super::Torsional`]) linearised about ψ = 0, without freeplay.
@@ -68,6 +71,38 @@ impl Model<3> for TorsionalLinear {
 
     fn kicked(&self, x: &[f64; 3], impulse: f64) -> [f64; 3] {
         [x[PSI], x[PSI_RATE] + impulse * self.mobility, x[Y]]
+    }
+
+    fn laws(values: &[f64]) -> Option<Laws> {
+        let &[v, e, _, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, kappa] = values else { return None };
+        Some(Laws {
+            tire: TireLaw::Linear(LinearTireLaw::new(c_f_alpha * f_z, c_m_alpha * f_z)),
+            relaxation_length: sigma,
+            caster_length: e,
+            stiffness: k,
+            freeplay: 0.0,
+            damping: c,
+            tread_damping: kappa / v,
+            moment_of_inertia: i_z,
+        })
+    }
+
+    fn linear_theory<T: Number>(values: &[T]) -> Option<TorsionalTheory<T>> {
+        let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, kappa] = values else { return None };
+        Some(TorsionalTheory {
+            velocity: v,
+            caster_length: e,
+            half_contact_length: a,
+            relaxation_length: sigma,
+            moment_of_inertia: i_z,
+            torsional_stiffness: k,
+            damping_constant: c,
+            vertical_force: f_z,
+            side_force_derivative: c_f_alpha,
+            aligning_moment_derivative: c_m_alpha,
+            tread_width_moment_constant: kappa,
+            freeplay_angle: T::from(0.0),
+        })
     }
 }
 

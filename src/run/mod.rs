@@ -1,20 +1,24 @@
 //! A run: which model, with which values, from where, for how long, by which method.
 
+mod fields;
 mod parse;
 mod problem;
 mod value;
 
+pub(crate) use fields::Fields;
 pub use problem::Problem;
 pub(crate) use problem::{Posed, check_fixed_step};
 pub use value::Value;
 
 use crate::{
+    energy::Energy,
     error::{Code, Error, Result, shown},
     integrate::{Method, Output, Scheme, Trajectory},
     live::Simulator,
-    model::{self, Description},
+    model::{self, Description, laws::Forces},
     outlook::{HORIZON, Outlook},
     parameter::{Parameter, Validity, check_number, parameter_index, state_index},
+    stability::{RouthHurwitz, UnstableInterval, Variation},
 };
 
 /// Most samples, and most times, of one trajectory.
@@ -191,9 +195,14 @@ impl Run {
 
     /// How long it lasts, in s: to the last of its times, or its duration (2 s where none is given).
     pub fn duration(&self) -> f64 {
+        self.given_duration().unwrap_or(DURATION)
+    }
+
+    /// How long it lasts where it says so, in s.
+    pub(crate) fn given_duration(&self) -> Option<f64> {
         match &self.output {
-            Output::Times(times) => times.last().copied().unwrap_or(DURATION),
-            Output::Samples(_) | Output::Steps => self.duration.unwrap_or(DURATION),
+            Output::Times(times) => times.last().copied(),
+            Output::Samples(_) | Output::Steps => self.duration,
         }
     }
 
@@ -234,6 +243,40 @@ impl Run {
     /// As [`Run::simulate`].
     pub fn live(&self) -> Result<Simulator> {
         self.problem().live()
+    }
+
+    /// What linear theory says of the gear at rest, and where that changes. Its start does not matter.
+    ///
+    /// # Errors
+    /// A model without a closed linear theory; parameters so extreme that its coefficients leave the numbers.
+    pub fn routh_hurwitz(&self) -> Result<RouthHurwitz> {
+        self.problem().routh_hurwitz()
+    }
+
+    /// The parts of a parameter's range in which linear theory does not find the gear stable, ascending; the other
+    /// parameters stay as they are in the run. An end is exact where it is a boundary.
+    ///
+    /// # Errors
+    /// An unknown parameter, ends that are not valid for it or do not ascend, a model without a closed linear theory.
+    pub fn unstable_intervals(&self, variation: &Variation) -> Result<Vec<UnstableInterval>> {
+        self.problem().unstable_intervals(variation)
+    }
+
+    /// The energy that goes through the motion in its duration, or in one cycle from its start where none is given; nothing
+    /// where it does not swing.
+    ///
+    /// # Errors
+    /// As [`Run::simulate`]; a model without force laws.
+    pub fn energy(&self) -> Result<Option<Energy>> {
+        self.problem().energy()
+    }
+
+    /// Forces at a state, in the order of the state table.
+    ///
+    /// # Errors
+    /// Not as many finite numbers as the model has states; a model without force laws.
+    pub fn forces(&self, state: &[f64]) -> Result<Forces> {
+        self.problem().forces(state)
     }
 
     fn table(&self) -> &'static [Parameter] {

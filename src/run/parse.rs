@@ -110,26 +110,26 @@ fn present<'a>(field: &str, value: &'a Value) -> Result<impl Iterator<Item = (&'
         .map(|(key, value)| (key.as_str(), value)))
 }
 
-fn wrong_type(field: &str, value: &Value, allowed: &str) -> Error {
+pub(super) fn wrong_type(field: &str, value: &Value, allowed: &str) -> Error {
     Error::new(Code::WrongType, field, value.shown(), allowed)
 }
 
 /// The entries of a record.
-fn record<'a>(field: &str, value: &'a Value) -> Result<&'a [(String, Value)]> {
+pub(super) fn record<'a>(field: &str, value: &'a Value) -> Result<&'a [(String, Value)]> {
     match value {
         Value::Record(entries) => Ok(entries),
         other => Err(wrong_type(field, other, "a record of named values")),
     }
 }
 
-fn text<'a>(field: &str, value: &'a Value) -> Result<&'a str> {
+pub(super) fn text<'a>(field: &str, value: &'a Value) -> Result<&'a str> {
     match value {
         Value::Text(text) => Ok(text),
         other => Err(wrong_type(field, other, "a name in quotes")),
     }
 }
 
-fn number(field: &str, value: &Value, allowed: &str) -> Result<f64> {
+pub(super) fn number(field: &str, value: &Value, allowed: &str) -> Result<f64> {
     match value {
         Value::Number(number) if !number.is_finite() => {
             Err(Error::new(Code::NotFinite, field, shown(*number), allowed))

@@ -18,6 +18,7 @@ use crate::{
     model::{self, Model, Torsional, torsional},
     parameter::{Validity, check_number},
     run::Value,
+    stability::Variation,
 };
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -61,6 +62,29 @@ pub fn outlook(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Re
     output::outlook(&run, run.outlook().map_err(output::error)?)
 }
 
+/// What linear theory says of the gear at rest, and where that changes.
+#[wasm_bindgen(js_name = routhHurwitz, unchecked_return_type = "RouthHurwitz")]
+pub fn routh_hurwitz(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
+    output::record(&read_run(&run)?.routh_hurwitz().map_err(output::error)?)
+}
+
+/// The parts of a parameter's range in which linear theory does not find the gear stable, the others as in the run.
+#[wasm_bindgen(js_name = unstableIntervals, unchecked_return_type = "UnstableInterval[]")]
+pub fn unstable_intervals(
+    #[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Variation")] variation: JsValue,
+) -> Result<JsValue, JsValue> {
+    let run = read_run(&run)?;
+    let variation = input::value(&variation, "variation").and_then(|value| Variation::read(&value));
+    output::record(&variation.and_then(|variation| run.unstable_intervals(&variation)).map_err(output::error)?)
+}
+
+/// The energy of one cycle from the run's start, or of its `duration` where it has one.
+#[wasm_bindgen(unchecked_return_type = "Energy | null")]
+pub fn energy(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
+    output::record(&read_run(&run)?.energy().map_err(output::error)?)
+}
+
 /// Values that the links σ = 3a and κ = 0.15 a² c_Fα F_z give for these parameters of the torsional gear.
 #[wasm_bindgen(js_name = linkedParameters, unchecked_return_type = "LinkedParameters")]
 pub fn linked_parameters(
@@ -94,7 +118,7 @@ pub fn forces(
             for (state, value) in Torsional::STATE.iter().zip(&x) {
                 check_number(state.name, *value, Validity::Finite, state.unit).map_err(output::error)?;
             }
-            output::record(&Torsional::new(run.parameters()).forces(&[x[0], x[1], x[2]]))
+            output::record(&Torsional::laws(run.parameters()).map(|laws| laws.forces(&x)))
         }
         other => Err(refused(other.shown())),
     }

@@ -55,6 +55,41 @@ export interface Outlook {
   /** one period of the motion it goes to; empty where it goes to rest or beyond */
   orbit: Columns;
 }
+/** What linear theory says of a gear at rest. */
+export interface RouthHurwitz {
+  stable: boolean;
+  /** first column of the Routh array */
+  column: number[];
+  /** m/s, ascending: every v > 0 at which a pair of eigenvalues crosses the imaginary axis */
+  criticalVelocities: number[];
+  /** N m s/rad: the largest c > 0 at which a pair crosses */
+  criticalDamping: number | null;
+}
+/** One parameter's range, in its SI unit. `linked`: what follows it, σ = 3a with a, κ = 0.15 a² c_Fα F_z with a, c_Fα and F_z. */
+export interface Variation {
+  parameter: string;
+  from: number;
+  to: number;
+  linked?: { relaxationLength?: boolean | null; treadWidthMomentConstant?: boolean | null } | null;
+}
+/** A part of a parameter's range in which a small swing does not fade. An end is a boundary of stability, or the range's own. */
+export interface UnstableInterval { from: number; to: number; fromKind: 'hopf' | 'divergence' | 'range'; toKind: 'hopf' | 'divergence' | 'range' }
+/** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + stored. (A friction element would have its own field.) */
+export interface Energy {
+  duration: number;
+  /** fed in by the tire: ∫(M_z − e F_y)ψ̇ dt */
+  tire: number;
+  /** taken by the damper: ∫cψ̇² dt */
+  damper: number;
+  /** taken by the tread's width: ∫(κ/v)ψ̇² dt */
+  treadWidth: number;
+  /** rise of ½I_zψ̇² */
+  kinetic: number;
+  /** rise of ½k s² */
+  spring: number;
+  /** kinetic + spring */
+  stored: number;
+}
 /** What the links between parameters give. */
 export interface LinkedParameters { relaxationLength: number; treadWidthMomentConstant: number }
 /** Forces at a state, SI. */

@@ -1,0 +1,118 @@
+//! The force laws of the torsional gears, one by one: what a drawing, a plot and an account of energy read.
+
+use serde::Serialize;
+
+use super::torsional::{PSI, PSI_RATE, Y};
+use crate::element::{
+    Side,
+    freeplay::Spring,
+    tire_law::{LinearTireLaw, PiecewiseTireLaw},
+};
+
+/// The law of a gear's tire.
+#[derive(Clone, Copy, Debug)]
+pub enum TireLaw {
+    /// With limits, in the slip angle α = arctan(y/σ).
+    Piecewise(PiecewiseTireLaw),
+    /// Without, in α = y/σ.
+    Linear(LinearTireLaw),
+}
+
+/// The moments about the steering axis of a wheel on a stretched-string tire, each by itself.
+///
+/// # Equations
+/// I_z ψ̈ is their sum: the spring's −k s(ψ), the damper's −cψ̇, the tread width's −(κ/v)ψ̇ and the tire's M_z − e F_y. The
+/// model's own right-hand side says the same in another form, made for speed.
+#[derive(Clone, Copy, Debug)]
+pub struct Laws {
+    /// F_y and M_z.
+    pub tire: TireLaw,
+    /// σ \[m\].
+    pub relaxation_length: f64,
+    /// e \[m\].
+    pub caster_length: f64,
+    /// k \[N m/rad\].
+    pub stiffness: f64,
+    /// ψ_fp \[rad\], 0 where there is no gap.
+    pub freeplay: f64,
+    /// c \[N m s/rad\].
+    pub damping: f64,
+    /// κ/v \[N m s/rad\].
+    pub tread_damping: f64,
+    /// I_z \[kg m²\].
+    pub moment_of_inertia: f64,
+}
+
+/// Forces at a state: what a drawing shows.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Forces {
+    /// α \[rad\].
+    pub slip_angle: f64,
+    /// F_y \[N\].
+    pub side_force: f64,
+    /// M_z \[N m\].
+    pub aligning_moment: f64,
+    /// |α| > δ: the side force does not grow any more.
+    pub side_force_limited: bool,
+    /// s(ψ) \[rad\]: the angle that winds the spring.
+    pub spring_angle: f64,
+    /// −k s(ψ) \[N m\].
+    pub spring_torque: f64,
+}
+
+/// What each element does to the motion at a state \[W\]: positive puts energy in, or takes it out, as the name says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Power {
+    /// (M_z − e F_y)ψ̇, put in by the tire.
+    pub tire: f64,
+    /// cψ̇², taken out by the damper.
+    pub damper: f64,
+    /// (κ/v)ψ̇², taken out by the tread's width.
+    pub tread_width: f64,
+}
+
+impl Laws {
+    /// α, F_y, M_z and whether F_y is at its limit, for the deformation y of the tire.
+    fn tire(&self, y: f64) -> (f64, f64, f64, bool) {
+        let q = y / self.relaxation_length;
+        match self.tire {
+            TireLaw::Piecewise(law) => {
+                let (force, moment) =
+                    (Side::of(q, 0.0, law.side_force_limit()), Side::of(q, 0.0, law.aligning_limit()));
+                (q.atan(), law.side_force(q, force), law.aligning_moment(q, moment), force != Side::Within)
+            }
+            TireLaw::Linear(law) => (q, law.side_force(q), law.aligning_moment(q), false),
+        }
+    }
+
+    /// s(ψ) \[rad\].
+    pub fn spring_angle(&self, psi: f64) -> f64 {
+        Spring::new(self.stiffness, self.freeplay).angle(psi)
+    }
+
+    /// Forces at the state (ψ, ψ̇, y).
+    pub fn forces(&self, x: &[f64]) -> Forces {
+        let (slip_angle, side_force, aligning_moment, side_force_limited) = self.tire(x[Y]);
+        let spring_angle = self.spring_angle(x[PSI]);
+        let spring_torque = -self.stiffness * spring_angle;
+        Forces { slip_angle, side_force, aligning_moment, side_force_limited, spring_angle, spring_torque }
+    }
+
+    /// Power at the state (ψ, ψ̇, y).
+    pub fn power(&self, x: &[f64]) -> Power {
+        let (_, side_force, aligning_moment, _) = self.tire(x[Y]);
+        let rate = x[PSI_RATE];
+        Power {
+            tire: (aligning_moment - self.caster_length * side_force) * rate,
+            damper: self.damping * rate * rate,
+            tread_width: self.tread_damping * rate * rate,
+        }
+    }
+
+    /// ½I_zψ̇² and ½k s(ψ)² \[J\].
+    pub fn stored(&self, x: &[f64]) -> (f64, f64) {
+        let wound = self.spring_angle(x[PSI]);
+        (0.5 * self.moment_of_inertia * x[PSI_RATE] * x[PSI_RATE], 0.5 * self.stiffness * wound * wound)
+    }
+}

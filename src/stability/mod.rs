@@ -1,0 +1,65 @@
+//! Linear theory: does a small swing grow or fade?
+//!
+//! The torsional gears have it in closed form ([`TorsionalTheory`]): one text of the conditions serves numbers, and
+//! polynomials in the one parameter that varies.
+
+mod polynomial;
+mod torsional;
+mod variation;
+
+use serde::Serialize;
+
+use crate::{
+    error::{Error, Result},
+    model::Model,
+};
+
+pub use self::{
+    torsional::{Number, TorsionalTheory},
+    variation::Variation,
+};
+
+/// The verdict of Routh and Hurwitz at rest.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct RouthHurwitz {
+    /// Every entry of the column is positive: all small motions fade.
+    pub stable: bool,
+    /// First column of the Routh array: 1, a₂, a₁ − a₀/a₂, a₀.
+    pub column: Vec<f64>,
+    /// Every velocity > 0 at which a pair of eigenvalues crosses the imaginary axis, ascending \[m/s\].
+    pub critical_velocities: Vec<f64>,
+    /// The largest damping constant > 0 at which a pair crosses \[N m s/rad\]; none where no pair does.
+    pub critical_damping: Option<f64>,
+}
+
+/// A part of a parameter's range in which a small swing does not fade.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct UnstableInterval {
+    /// Its lower end, in the parameter's unit.
+    pub from: f64,
+    /// Its upper end.
+    pub to: f64,
+    /// What ends it below.
+    pub from_kind: EndKind,
+    /// What ends it above.
+    pub to_kind: EndKind,
+}
+
+/// What is at the end of an [`UnstableInterval`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EndKind {
+    /// A pair of eigenvalues crosses the imaginary axis.
+    Hopf,
+    /// A real eigenvalue crosses zero.
+    Divergence,
+    /// The end of the range asked for.
+    Range,
+}
+
+/// The closed form of a model, for parameters in table order.
+pub(crate) fn closed_form<M: Model<N>, T: Number, const N: usize>(values: &[T]) -> Result<TorsionalTheory<T>> {
+    M::linear_theory(values).ok_or_else(|| Error::without(M::NAME, "a closed linear theory"))
+}

@@ -1,0 +1,110 @@
+//! One parameter that varies while the others stay, or follow it.
+
+use super::{UnstableInterval, closed_form, polynomial::Polynomial};
+use crate::{
+    error::{Code, Error, Result, shown},
+    model::{Model, torsional},
+    parameter::parameter_index,
+    run::{Fields, Value},
+};
+
+/// A parameter's range to look at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variation {
+    /// Its public name.
+    pub parameter: String,
+    /// Lower end.
+    pub from: f64,
+    /// Upper end.
+    pub to: f64,
+    /// σ = 3a holds as a varies.
+    pub relaxation_length_follows: bool,
+    /// κ = 0.15 a² c_Fα F_z holds as a, c_Fα or F_z varies.
+    pub tread_width_moment_constant_follows: bool,
+}
+
+impl Variation {
+    /// Of `parameter` from `from` to `to`, the others as they are.
+    pub fn of(parameter: &str, from: f64, to: f64) -> Self {
+        Self {
+            parameter: parameter.to_owned(),
+            from,
+            to,
+            relaxation_length_follows: false,
+            tread_width_moment_constant_follows: false,
+        }
+    }
+
+    /// Reads a record `{parameter, from, to, linked: {relaxationLength, treadWidthMomentConstant}}`.
+    ///
+    /// # Errors
+    /// Anything but a record of these keys; the error names the field. Names and ranges are checked against the model.
+    pub fn read(input: &Value) -> Result<Self> {
+        let fields = Fields::of("variation", input, &["parameter", "from", "to", "linked"])?;
+        let end =
+            |key| fields.number(key, "a finite number").and_then(|end| end.ok_or_else(|| missing(key, "a number")));
+        let parameter = fields.text("parameter")?.ok_or_else(|| missing("parameter", "the name of a parameter"))?;
+        let mut variation = Self::of(parameter, end("from")?, end("to")?);
+        if let Some(linked) = fields.value("linked") {
+            let linked = Fields::of("linked", linked, &["relaxationLength", "treadWidthMomentConstant"])?;
+            variation.relaxation_length_follows = linked.truth("relaxationLength")?.unwrap_or(false);
+            variation.tread_width_moment_constant_follows = linked.truth("treadWidthMomentConstant")?.unwrap_or(false);
+        }
+        Ok(variation)
+    }
+
+    /// The parts of the range in which a small swing does not fade, the other parameters being `values`.
+    ///
+    /// # Errors
+    /// An unknown parameter, ends that are not valid for it or do not ascend, a model without a closed linear theory.
+    pub(crate) fn unstable_intervals<M: Model<N>, const N: usize>(
+        &self,
+        values: &[f64],
+    ) -> Result<Vec<UnstableInterval>> {
+        let Self { from, to, .. } = *self;
+        let table = M::PARAMETERS;
+        let index = parameter_index(table, &self.parameter).map_err(|error| Error {
+            code: Code::UnknownName,
+            field: "parameter".into(),
+            ..error
+        })?;
+        for (field, value) in [("from", from), ("to", to)] {
+            table[index].check(value).map_err(|error| Error { field: field.into(), ..error })?;
+        }
+        if to < from {
+            return Err(Error::new(Code::NotAscending, "to", shown(to), format!("≥ {} (from)", shown(from))));
+        }
+        let mut varied: Vec<Polynomial> = values.iter().map(|value| Polynomial::from(*value)).collect();
+        // A range of one value is that value: freeplay of 0 is none, freeplay that varies is some.
+        varied[index] = if from == to { Polynomial::from(from) } else { Polynomial::variable() };
+        self.follow::<M, N>(&mut varied);
+        Ok(closed_form::<M, Polynomial, N>(&varied)?.unstable_intervals(from, to))
+    }
+
+    /// Lets what is linked to the parameter that varies follow it.
+    fn follow<M: Model<N>, const N: usize>(&self, varied: &mut [Polynomial]) {
+        let place = |name: &str| M::PARAMETERS.iter().position(|parameter| parameter.name == name);
+        let [Some(a), Some(c_f_alpha), Some(f_z), Some(sigma), Some(kappa)] = [
+            "halfContactLength",
+            "sideForceDerivative",
+            "verticalForce",
+            "relaxationLength",
+            "treadWidthMomentConstant",
+        ]
+        .map(place) else {
+            return;
+        };
+        let is = |index: usize| M::PARAMETERS[index].name == self.parameter;
+        let linked = torsional::linked(varied[a], varied[c_f_alpha], varied[f_z]);
+        if self.relaxation_length_follows && is(a) {
+            varied[sigma] = linked.0;
+        }
+        if self.tread_width_moment_constant_follows && (is(a) || is(c_f_alpha) || is(f_z)) {
+            varied[kappa] = linked.1;
+        }
+    }
+}
+
+fn missing(key: &str, allowed: &str) -> Error {
+    Error::new(Code::Missing, key, "nothing", allowed)
+}
