@@ -1,4 +1,6 @@
 import { LitElement, html } from 'lit';
+import { tell } from './command.js';
+import { otherKeys, shortcuts } from './keys.js';
 
 /**
  * @typedef {import('./words/voice.js').Voice} Voice
@@ -6,12 +8,13 @@ import { LitElement, html } from 'lit';
  */
 
 const themes = /** @type {const} */ (['system', 'light', 'dark']);
-const keys = /** @type {const} */ (['play', 'step', 'start', 'kick', 'fit', 'undo', 'knob', 'help']);
+/** Each once: two keys of one pair are one line. */
+const keys = [...new Set([...shortcuts.map(({ word }) => word), ...otherKeys])];
 const languages = /** @type {const} */ ([['en', 'English'], ['tr', 'Türkçe']]);
 
 /**
  * The page's head: which object, undo and redo, the link, and a menu with language, appearance and keys.
- * Events: `undo`, `redo`, `share`, `reset-all`, `language` and `theme` with the choice as detail.
+ * Commands: `undo`, `redo`, `share`, `resetAll`, `language` and `theme` with the choice.
  */
 export class Header extends LitElement {
   static properties = {
@@ -60,28 +63,28 @@ export class Header extends LitElement {
     if (!voice) return html``;
     const button = (/** @type {Key} */ key, /** @type {string} */ sign, /** @type {boolean} */ isOn, /** @type {string} */ what) => html`
       <button type="button" class="plain icon ${what}" title=${voice.say(key)} aria-label=${voice.say(key)} ?disabled=${!isOn}
-        @click=${() => this.#tell(what)}>${sign}</button>`;
+        @click=${() => tell(this, what)}>${sign}</button>`;
     return html`
       <span class="brand">Shimmy</span>
       <span class="object">${voice.say('header.object')}</span>
       <span class="spacer"></span>
       ${button('header.undo', '↶', this.canUndo, 'undo')}
       ${button('header.redo', '↷', this.canRedo, 'redo')}
-      <button type="button" class="framed share" ?disabled=${!this.isReady} @click=${() => this.#tell('share')}>
+      <button type="button" class="framed share" ?disabled=${!this.isReady} @click=${() => tell(this, 'share')}>
         <span aria-live="polite">${voice.say(this.isShared ? 'header.shared' : 'header.share')}</span>
       </button>
       <details class="menu" @keydown=${this.#key}>
         <summary class="plain icon" title=${voice.say('header.menu')} aria-label=${voice.say('header.menu')}>⋯</summary>
         <div class="menu-sheet">
           <div class="menu-actions">
-            <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => this.#tell('share')}>${voice.say(this.isShared ? 'header.shared' : 'header.share')}</button>
-            <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => this.#tell('reset-all')}>↺ ${voice.say('dock.reset')}</button>
+            <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'share')}>${voice.say(this.isShared ? 'header.shared' : 'header.share')}</button>
+            <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'resetAll')}>↺ ${voice.say('dock.reset')}</button>
           </div>
           ${this.#choice('menu.language', 'language', languages.map(([value, word]) => ({ value, word, lang: value })), voice.language)}
           ${this.#choice('menu.theme', 'theme', themes.map((value) => ({ value, word: voice.say(`menu.theme.${value}`), lang: voice.language })), this.theme)}
           <section>
             <h2>${voice.say('menu.keys')}</h2>
-            <dl>${keys.map((key) => html`<div><dt><kbd>${voice.say(`key.${key}`)}</kbd></dt><dd>${voice.say(`key.${key}.does`)}</dd></div>`)}</dl>
+            <dl>${keys.map((key) => html`<div><dt><kbd>${voice.say(/** @type {Key} */ (`key.${key}`))}</kbd></dt><dd>${voice.say(/** @type {Key} */ (`key.${key}.does`))}</dd></div>`)}</dl>
           </section>
         </div>
       </details>`;
@@ -99,7 +102,7 @@ export class Header extends LitElement {
         <legend>${this.voice?.say(title)}</legend>
         ${options.map(({ value, word, lang }) => html`
           <label lang=${lang}><input type="radio" name=${name} value=${value} .checked=${value === chosen}
-            @change=${() => this.#tell(name, value)} /> ${word}</label>`)}
+            @change=${() => tell(this, name, value)} /> ${word}</label>`)}
       </fieldset>`;
   }
 
@@ -119,11 +122,6 @@ export class Header extends LitElement {
     if (event.key !== 'Escape' || !menu?.open) return;
     menu.open = false;
     menu.querySelector('summary')?.focus();
-  }
-
-  /** @param {string} what @param {string} [detail] */
-  #tell(what, detail) {
-    this.dispatchEvent(new CustomEvent(what, { detail }));
   }
 }
 

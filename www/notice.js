@@ -1,14 +1,14 @@
 import { LitElement, html } from 'lit';
+import { tell } from './command.js';
 
 /**
  * @typedef {import('./words/voice.js').Voice} Voice
- * @typedef {import('./link.js').Problem} Problem
  * @typedef {{ text: string, isAlert: boolean, isStop?: boolean, canUndo?: boolean }} Note `isStop`: stands as long as the run is stopped
  */
 
 /**
  * The strip above the lens: what to try with the motion as it is, or a note in its place while there is something to
- * say. The note's own buttons ask for a `close` or an `undo`.
+ * say.
  */
 export class Notice extends LitElement {
   static properties = { voice: { attribute: false }, notes: { attribute: false }, outlook: { attribute: false } };
@@ -35,26 +35,11 @@ export class Notice extends LitElement {
     return html`
       <div class="story note">
         <div>${notes.map(({ text, isAlert, canUndo }) => html`<p role=${isAlert ? 'alert' : 'status'}>${text}</p>${canUndo ? html`
-          <button type="button" class="framed" @click=${() => this.dispatchEvent(new CustomEvent('undo'))}>${voice.say('header.undo')}</button>` : ''}`)}</div>
+          <button type="button" class="framed" @click=${() => tell(this, 'undo')}>${voice.say('header.undo')}</button>` : ''}`)}</div>
         <button type="button" class="plain icon" aria-label=${voice.say('notice.close')} title=${voice.say('notice.close')}
-          @click=${() => this.dispatchEvent(new CustomEvent('close'))}>✕</button>
+          @click=${() => tell(this, 'closeNotes')}>✕</button>
       </div>`;
   }
-}
-
-/**
- * What of a link could not be read, in words; null where all could.
- * @param {Problem[]} problems
- * @param {Voice} voice
- * @returns {Note | null}
- */
-export function noteOn(problems, voice) {
-  if (problems.length === 0) return null;
-  const list = problems.map(({ key, value, reason, instead }) => {
-    const problem = voice.say(`link.${reason}`, { key, value });
-    return instead === undefined ? problem : voice.say('link.instead', { problem, instead });
-  }).join('; ');
-  return { text: voice.say('link.some', { list }), isAlert: true };
 }
 
 customElements.define('shimmy-notice', Notice);

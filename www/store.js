@@ -1,29 +1,44 @@
 /**
  * The one state of the page. Every change goes through `update`; views read `state` and subscribe.
  *
- * Undo walks what describes the experiment (object, parameters, run), not how it is looked at. All changes of one
- * gesture (a drag, a series of arrow keys) are one step of undo.
+ * Undo walks what describes the experiment (object, parameters, run, links, ghosts), not how it is looked at. All changes
+ * of one gesture (a drag, a series of arrow keys) are one step of undo.
  *
+ * @typedef {import('./run/live-run.js').Change} Change
+ * @typedef {import('./run/ghosts.js').Kept} Kept
  * @typedef {{
  *   object: string,
  *   parameters: Record<string, number>,
- *   run: { initial: Record<string, number> },
- *   clock: { slow: number | null },
+ *   run: { initial: Record<string, number>, start?: Record<string, number>, changes?: readonly Change[], time?: number },
+ *   links: Readonly<Record<string, boolean>>,
+ *   ghosts: readonly Kept[],
+ *   clock: { mode: import('./run/clock.js').Mode, slow: number | null },
  *   lens: string,
+ *   views: Readonly<Record<string, string>>,
+ *   story: { name: string, step: number } | null,
+ *   predict: { guess: Guess | null, isRevealed: boolean } | null,
+ *   isBig: boolean,
  *   language: import('./words/number.js').Language,
  *   theme: 'system' | 'light' | 'dark',
- * }} State `clock.slow`: how many times slower than life, null where the page chooses
+ * }} State `run`: how it begins, and what was done to it up to `time`; `start`: values that were others then.
+ *   `clock.slow`: how many times slower than life, null where the page chooses. `views`: what each lens (and the timeline)
+ *   shows, by its name. `predict`: what would tell the future is veiled until it is revealed; `isBig`: for the last row
  *
- * @typedef {Pick<State, 'object' | 'parameters' | 'run'>} Experiment
+ * @typedef {'dies-out' | 'holds' | 'grows'} Guess
+ *
+ * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'story'>} Experiment
+ * @typedef {{ time: number, again: Omit<Change, 'time'> }} Deed what was done to the run that is no change of a value:
+ *   the time before it, and how to do it again
+ * @typedef {{ direction: 'undo' | 'redo', deed: Deed | null }} Walk
  */
 
 const longestMemory = 200;
 
 export class Store {
-  /** @type {Experiment[]} */ #past = [];
-  /** @type {Experiment[]} */ #future = [];
+  /** @type {(Experiment & { deed: Deed | null })[]} */ #past = [];
+  /** @type {(Experiment & { deed: Deed | null })[]} */ #future = [];
   /** @type {string | null} */ #gesture = null;
-  /** @type {Set<(state: State, before: State) => void>} */ #listeners = new Set();
+  /** @type {Set<(state: State, before: State, walk: Walk | null) => void>} */ #listeners = new Set();
 
   /** @param {State} state */
   constructor(state) {
@@ -47,10 +62,10 @@ export class Store {
     const before = this.state;
     const after = { ...before, ...change };
     if (!isSameExperiment(before, after)) {
-      if (gesture === null || gesture !== this.#gesture) this.#remember(before);
+      if (gesture === null || gesture !== this.#gesture) this.#remember(before, null);
       this.#gesture = gesture;
     }
-    this.#become(after);
+    this.#become(after, null);
   }
 
   /**
@@ -58,7 +73,14 @@ export class Store {
    * @param {Partial<State>} change
    */
   follow(change) {
-    this.#become({ ...this.state, ...change });
+    this.#become({ ...this.state, ...change }, null);
+  }
+
+  /** Something was done to the run that is no change of the state, and is a step of undo. @param {Deed} deed */
+  did(deed) {
+    this.#remember(this.state, deed);
+    this.settle();
+    this.#become({ ...this.state }, null);
   }
 
   /** Ends the gesture: the next change is a step of undo of its own. */
@@ -67,16 +89,16 @@ export class Store {
   }
 
   undo() {
-    this.#walk(this.#past, this.#future);
+    this.#walk('undo', this.#past, this.#future);
   }
 
   redo() {
-    this.#walk(this.#future, this.#past);
+    this.#walk('redo', this.#future, this.#past);
   }
 
   /**
-   * Calls `listener` with the state and the one before it, after each change.
-   * @param {(state: State, before: State) => void} listener
+   * Calls `listener` with the state and the one before it, after each change; with the walk where undo or redo made it.
+   * @param {(state: State, before: State, walk: Walk | null) => void} listener
    * @returns {() => void} ends the subscription
    */
   subscribe(listener) {
@@ -84,42 +106,48 @@ export class Store {
     return () => this.#listeners.delete(listener);
   }
 
-  /** @param {State} before */
-  #remember(before) {
-    this.#past.push(experimentOf(before));
+  /** @param {State} before @param {Deed | null} deed */
+  #remember(before, deed) {
+    this.#past.push({ ...experimentOf(before), deed });
     if (this.#past.length > longestMemory) this.#past.shift();
     this.#future.length = 0;
   }
 
-  /** @param {Experiment[]} from @param {Experiment[]} to */
-  #walk(from, to) {
-    const experiment = from.pop();
-    if (!experiment) return;
-    to.push(experimentOf(this.state));
+  /** @param {Walk['direction']} direction @param {(Experiment & { deed: Deed | null })[]} from @param {(Experiment & { deed: Deed | null })[]} to */
+  #walk(direction, from, to) {
+    const entry = from.pop();
+    if (!entry) return;
+    const { deed, ...experiment } = entry;
+    to.push({ ...experimentOf(this.state), deed });
     this.settle();
-    this.#become({ ...this.state, ...experiment });
+    this.#become({ ...this.state, ...experiment }, { direction, deed });
   }
 
-  /** @param {State} after */
-  #become(after) {
+  /** @param {State} after @param {Walk | null} walk */
+  #become(after, walk) {
     const before = this.state;
     this.state = after;
-    for (const listener of this.#listeners) listener(after, before);
+    for (const listener of this.#listeners) listener(after, before, walk);
   }
 }
 
-/** @param {Experiment} state @returns {Experiment} */
-function experimentOf({ object, parameters, run }) {
-  return { object, parameters, run };
+/** @param {State} state @returns {Experiment} */
+function experimentOf({ object, parameters, run, links, ghosts, story }) {
+  return { object, parameters, run, links, ghosts, story };
 }
 
 /** @param {Experiment} one @param {Experiment} other */
 function isSameExperiment(one, other) {
-  return one.object === other.object && isSameRecord(one.parameters, other.parameters)
-    && isSameRecord(one.run.initial, other.run.initial);
+  return one.object === other.object && one.ghosts === other.ghosts && isSameRecord(one.parameters, other.parameters)
+    && isSameRecord(one.links, other.links) && isSameRun(one.run, other.run);
 }
 
-/** @param {Record<string, number>} one @param {Record<string, number>} other */
+/** @param {State['run']} one @param {State['run']} other */
+function isSameRun(one, other) {
+  return one === other || (isSameRecord(one.initial, other.initial) && one.changes === other.changes && one.time === other.time);
+}
+
+/** @param {Readonly<Record<string, unknown>>} one @param {Readonly<Record<string, unknown>>} other */
 function isSameRecord(one, other) {
   const names = new Set([...Object.keys(one), ...Object.keys(other)]);
   return [...names].every((name) => one[name] === other[name]);

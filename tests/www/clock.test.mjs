@@ -1,7 +1,7 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
-import { Clock } from '../../www/stage/clock.js';
-import { isShownTruly, slowRateFor } from '../../www/stage/rate.js';
+import { Clock } from '../../www/run/clock.js';
+import { isShownTruly, slowRateFor } from '../../www/run/rate.js';
 
 const near = (/** @type {number} */ actual, /** @type {number} */ expected) =>
   assert.ok(Math.abs(actual - expected) < 1e-12, `${actual} is not ${expected}`);
@@ -57,4 +57,49 @@ test('a rate with fewer than twelve frames a cycle is not shown as a single pose
   assert.ok(!isShownTruly(10, 51.87));
   assert.ok(isShownTruly(10, 50));
   assert.ok(isShownTruly(1, null));
+});
+
+test('the strobe flashes once a cycle: the swing is seen at 1 Hz and grows at nearly its true pace', () => {
+  const period = 1 / 51.9;
+  const clock = new Clock(50);
+  clock.mode = 'strobe';
+  clock.period = period;
+  clock.play();
+  let model = clock.elapse(0);
+  let phase = 0;
+  for (let frame = 1; frame <= 600; frame++) {
+    const passed = clock.elapse(frame / 60);
+    model += passed;
+    if (passed > 0) phase += passed / period - Math.round(passed / period);
+  }
+  assert.ok(Math.abs(model / 10 - 1.18) < 0.01, `true pace × ${model / 10}`);
+  assert.ok(Math.abs(phase / 10 - 1) < 0.01, `seen at ${phase / 10} Hz`);
+});
+
+test('the strobe waits in the dark for a slow beat, flashes at most sixty times a second, and needs a beat', () => {
+  const clock = new Clock(50);
+  clock.mode = 'strobe';
+  clock.period = 1 / 7;
+  clock.play();
+  clock.elapse(0);
+  const flashes = Array.from({ length: 120 }, (_, i) => clock.elapse((i + 1) / 120)).filter((passed) => passed > 0);
+  assert.ok(flashes.length === 7 || flashes.length === 6, `${flashes.length} flashes`);
+  clock.period = 1 / 500;
+  const fast = Array.from({ length: 240 }, (_, i) => clock.elapse(2 + i / 240)).filter((passed) => passed > 0);
+  assert.ok(fast.length <= 61, `${fast.length} flashes in a second`);
+  clock.period = null;
+  clock.elapse(3.01);
+  near(clock.elapse(3.02), 0.01);
+});
+
+test('life itself is too fast for the screen, a slow rate and a strobe are not', () => {
+  const clock = new Clock(50);
+  assert.ok(!clock.isTooFast(51.9));
+  clock.mode = 'real';
+  assert.ok(clock.isTooFast(51.9));
+  assert.ok(!clock.isTooFast(3));
+  near(clock.rate, 1);
+  clock.mode = 'strobe';
+  clock.period = 1 / 51.9;
+  assert.ok(!clock.isTooFast(51.9));
 });

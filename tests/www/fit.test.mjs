@@ -1,7 +1,7 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
-import { limitsFor, magnificationFor, settlingTime, spanFor, stillFits } from '../../www/stage/fit.js';
-import { PastEnvelope } from '../../www/stage/past-envelope.js';
+import { limitsFor, magnificationFor, settlingTime, spanFor, stillFits } from '../../www/run/fit.js';
+import { PastEnvelope } from '../../www/run/past-envelope.js';
 
 const degree = Math.PI / 180;
 
@@ -11,18 +11,19 @@ test('swings are magnified to draw near 10–20°, and large ones are drawn to s
 });
 
 test('axes hold the swing and end at round degrees', () => {
-  const { angle, rate } = limitsFor({ angle: 15.188 * degree, rate: 86 });
+  const { angle, rate, deformation } = limitsFor({ angle: 15.188 * degree, rate: 86, deformation: 0.0412 });
   assert.ok(Math.abs(angle / degree - 20) < 1e-9);
   assert.equal(rate, 100);
-  const rest = limitsFor({ angle: 0, rate: 0 });
-  assert.ok(rest.angle > 0 && rest.rate > 0);
+  assert.equal(deformation, 0.05);
+  const rest = limitsFor({ angle: 0, rate: 0, deformation: 0 });
+  assert.ok(rest.angle > 0 && rest.rate > 0 && rest.deformation > 0);
 });
 
 test('axes are kept while the motion fits and fills them', () => {
-  const limits = { angle: 0.35, rate: 100 };
-  assert.ok(stillFits(limits, { angle: 0.3, rate: 90 }));
-  assert.ok(!stillFits(limits, { angle: 0.4, rate: 90 }));
-  assert.ok(!stillFits(limits, { angle: 0.01, rate: 3 }));
+  const limits = { angle: 0.35, rate: 100, deformation: 0.05 };
+  assert.ok(stillFits(limits, { angle: 0.3, rate: 90, deformation: 0.04 }));
+  assert.ok(!stillFits(limits, { angle: 0.4, rate: 90, deformation: 0.04 }));
+  assert.ok(!stillFits(limits, { angle: 0.01, rate: 3, deformation: 0.001 }));
 });
 
 /** A swing that has gone half of its way after each 0.1 s. */

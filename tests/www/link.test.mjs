@@ -1,47 +1,91 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
-import { readLink, writeLink } from '../../www/link.js';
+import { readLink } from '../../www/link/read.js';
+import { writeLink } from '../../www/link/write.js';
 
-const table = {
-  name: 'torsional',
-  parameters: [{ name: 'velocity', default: 50 }, { name: 'dampingConstant', default: 10 }, { name: 'freeplayAngle', default: 0 }],
-  state: [{ name: 'torsionAngle' }, { name: 'torsionRate' }, { name: 'lateralDeformation' }],
-};
-/** Stands for the engine's own check: speeds above 0, angles below 10 rad. */
-const accepts = (/** @type {Record<string, number>} */ parameters, /** @type {Record<string, number>} */ initial) =>
-  (parameters.velocity ?? 1) > 0 && Math.abs(initial.torsionAngle ?? 0) < 10;
+const state = [{ name: 'torsionAngle' }, { name: 'torsionRate' }, { name: 'lateralDeformation' }];
+const models = [
+  { name: 'torsional', parameters: [{ name: 'velocity', default: 50 }, { name: 'dampingConstant', default: 10 }, { name: 'freeplayAngle', default: 0 }], state },
+  { name: 'torsional-linear', parameters: [{ name: 'velocity', default: 50 }, { name: 'dampingConstant', default: 10 }], state },
+];
+/** Stands for the engine's own check: speeds above 0, angles below 10 rad. @type {import('../../www/link/read.js').Accepts} */
+const accepts = ({ parameters, initial }) => (parameters.velocity ?? 1) > 0 && Math.abs(initial.torsionAngle ?? 0) < 10;
 
+/** @type {import('../../www/link/read.js').Linked} */
 const linked = {
+  object: 'torsional',
   parameters: { velocity: 80, dampingConstant: 20, freeplayAngle: 0 },
   run: { initial: { torsionAngle: 0.05 } },
-  clock: { slow: 25 },
+  links: {},
+  ghosts: [],
+  clock: { mode: 'slow', slow: 25 },
   lens: 'phase',
+  views: {},
+  story: null,
 };
+const fresh = { parameters: linked.parameters, changes: [], time: 0 };
 
 test('a link is readable and carries only what differs from the defaults', () => {
-  assert.equal(writeLink(linked, table), '#shimmy=1&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&slow=25');
+  assert.equal(writeLink(linked, fresh, models), '#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&slow=25');
 });
 
 test('what a link carries comes back, to the last bit', () => {
-  const odd = { ...linked, parameters: { velocity: 1 / 3, dampingConstant: 1e-300, freeplayAngle: 0.1 + 0.2 }, clock: { slow: null } };
-  for (const state of [linked, odd]) {
-    const read = readLink(writeLink(state, table), table, accepts);
-    assert.deepEqual(read, { state, problems: [] });
+  const odd = { ...linked, parameters: { velocity: 1 / 3, dampingConstant: 1e-300, freeplayAngle: 0.1 + 0.2 } };
+  const other = { ...linked, object: 'torsional-linear', parameters: { velocity: 20, dampingConstant: 10 } };
+  /** @type {typeof linked} */
+  const looked = {
+    ...linked, clock: { mode: 'strobe', slow: null }, views: { phase: 'orbit', timeline: 'lateralDeformation' }, story: { name: 'cure', step: 2 },
+    links: { relaxationLength: false },
+    ghosts: [{ object: 'torsional', parameters: { velocity: 80, dampingConstant: 60, freeplayAngle: 0 }, initial: { torsionAngle: -0.1, lateralDeformation: 1e-3 }, from: 0.25 }],
+  };
+  for (const one of [linked, odd, other]) {
+    const read = readLink(writeLink(one, { ...fresh, parameters: one.parameters }, models), models, accepts);
+    assert.deepEqual(read, { state: one, problems: [] });
   }
+  const withLink = models.map((table) => ({ ...table, parameters: [...table.parameters, { name: 'relaxationLength', default: 0.3 }] }));
+  const read = readLink(writeLink(looked, fresh, withLink), withLink, accepts);
+  assert.deepEqual(read?.problems, []);
+  for (const key of /** @type {const} */ (['clock', 'views', 'story', 'links'])) assert.deepEqual(read?.state[key], looked[key]);
+  assert.deepEqual(read?.state.ghosts, [{ ...looked.ghosts[0], parameters: { ...looked.ghosts[0].parameters, relaxationLength: 0.3 } }]);
+});
+
+test('what was done to the run comes back with its times', () => {
+  const changes = [{ time: 0.35, set: { dampingConstant: 20 } }, { time: 0.4, kick: 10 }, { time: 0.5, state: { torsionAngle: 0.2, torsionRate: 0 } }];
+  const recipe = { parameters: { ...linked.parameters, dampingConstant: 5 }, changes, time: 0.75 };
+  const text = writeLink(linked, recipe, models);
+  assert.equal(text, '#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&was.dampingConstant=5'
+    + '&do=0.35,dampingConstant:20&do=0.4,kick:10&do=0.5,state.torsionAngle:0.2,state.torsionRate:0&time=0.75&slow=25');
+  const read = readLink(text, models, accepts);
+  assert.deepEqual(read?.state.run, { initial: { torsionAngle: 0.05 }, start: { dampingConstant: 5 }, changes, time: 0.75 });
+  assert.deepEqual(read?.problems, []);
+});
+
+test('a damaged record is left out, part by part', () => {
+  const read = readLink('#shimmy=2&do=x,kick:1&do=0.1&do=0.2,color:3&do=0.3,kick:&do=0.4,velocity:-1&do=0.5,kick:3&time=1e9&ghost=0.1,nose,velocity:3'
+    + '&ghost=0.1,torsional,kick:3&view.phase=<b>&story=a b&clock=fast&free=color', models, accepts);
+  assert.deepEqual(read?.problems.map(({ key, reason }) => `${key} ${reason}`), ['do unclear', 'do unclear', 'do unclear', 'do unclear', 'do unclear', 'time refused',
+    'ghost unclear', 'ghost unclear', 'view.phase unclear', 'story unclear', 'clock unknown', 'free unclear']);
+  assert.deepEqual(read?.state.run.changes, [{ time: 0.5, kick: 3 }]);
+  assert.equal(read?.state.run.time, 0.5);
+});
+
+test('a link of version 1 opens as it did', () => {
+  const read = readLink('#shimmy=1&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&slow=25', models, accepts);
+  assert.deepEqual(read, { state: linked, problems: [] });
 });
 
 test('an address without an experiment is none', () => {
-  for (const text of ['', '#', '#top', '?utm=1']) assert.equal(readLink(text, table, accepts), null);
+  for (const text of ['', '#', '#top', '?utm=1']) assert.equal(readLink(text, models, accepts), null);
 });
 
 test('a bad link opens what could be read and lists what could not', () => {
   const read = readLink('#shimmy=1&velocity=-3&dampingConstant=20&freeplayAngle=wide&colour=red&initial.torsionAngle=99'
-    + '&initial.torsionRate=2&slow=7&lens=nowhere&dampingConstant=30&initial.velocity=1&%E0%A4%A', table, accepts);
+    + '&initial.torsionRate=2&slow=7&lens=nowhere&dampingConstant=30&initial.velocity=1&%E0%A4%A', models, accepts);
   assert.deepEqual(read?.state, {
+    ...linked,
     parameters: { velocity: 50, dampingConstant: 20, freeplayAngle: 0 },
     run: { initial: { torsionRate: 2 } },
-    clock: { slow: null },
-    lens: 'phase',
+    clock: { mode: 'slow', slow: null },
   });
   assert.deepEqual(read?.problems.slice(0, 8).map(({ key, reason }) => [key, reason]), [
     ['velocity', 'refused'], ['freeplayAngle', 'not-a-number'], ['colour', 'unknown'], ['initial.torsionAngle', 'refused'],
@@ -50,22 +94,22 @@ test('a bad link opens what could be read and lists what could not', () => {
 });
 
 test('a link of a newer version says so and is read as far as it goes', () => {
-  const read = readLink('#shimmy=9&velocity=70', table, accepts);
+  const read = readLink('#shimmy=9&velocity=70', models, accepts);
   assert.equal(read?.state.parameters.velocity, 70);
   assert.deepEqual(read?.problems, [{ key: 'shimmy', value: '9', reason: 'newer' }]);
-  assert.equal(readLink('#shimmy=abc', table, accepts)?.problems[0].reason, 'version');
+  assert.equal(readLink('#shimmy=abc', models, accepts)?.problems[0].reason, 'version');
 });
 
 test('a link that lost its version, or is a query, is read and says what it lost', () => {
   for (const text of ['#velocity=40', '?velocity=40']) {
-    const read = readLink(text, table, accepts);
+    const read = readLink(text, models, accepts);
     assert.equal(read?.state.parameters.velocity, 40);
     assert.deepEqual(read?.problems, [{ key: 'shimmy', value: '1', reason: 'missing' }]);
   }
 });
 
 test('what is left out says what stands instead', () => {
-  const read = readLink('#shimmy=1&velocity=1e400&dampingConstant=20&dampingConstant=30&initial.torsionAngle=99', table, accepts);
+  const read = readLink('#shimmy=1&velocity=1e400&dampingConstant=20&dampingConstant=30&initial.torsionAngle=99', models, accepts);
   assert.deepEqual(read?.problems, [
     { key: 'velocity', value: '1e400', reason: 'too-large', instead: 50 },
     { key: 'dampingConstant', value: '30', reason: 'twice', instead: 20 },
@@ -74,6 +118,6 @@ test('what is left out says what stands instead', () => {
 });
 
 test('names of the language itself are unknown keys, not keys', () => {
-  const read = readLink('#shimmy=1&__proto__=1&constructor=2&initial.toString=3', table, accepts);
+  const read = readLink('#shimmy=1&__proto__=1&constructor=2&initial.toString=3', models, accepts);
   assert.deepEqual(read?.problems.map(({ reason }) => reason), ['unknown', 'unknown', 'unknown']);
 });

@@ -7,8 +7,14 @@ const opening = () => ({
   object: 'torsional',
   parameters: { velocity: 80, dampingConstant: 20 },
   run: { initial: { torsionAngle: 0.05 } },
-  clock: { slow: null },
+  links: {},
+  ghosts: [],
+  clock: { mode: 'slow', slow: null },
   lens: 'phase',
+  views: {},
+  story: null,
+  predict: null,
+  isBig: false,
   language: 'en',
   theme: 'system',
 });
@@ -75,4 +81,21 @@ test('subscribers hear the state and the one before it until they leave', () => 
   leave();
   damp(store, 50);
   assert.deepEqual(heard, [[20, 30], [30, 20]]);
+});
+
+test('what was done to the run is a step of undo, and says how to take it back and do it again', () => {
+  const store = new Store(opening());
+  /** @type {unknown[]} */
+  const walks = [];
+  store.subscribe((_, __, walk) => walk && walks.push(walk));
+  const deed = { time: 0.2, again: { kick: 10 } };
+  damp(store, 30, 'c');
+  store.did(deed);
+  damp(store, 40, 'c');
+  store.undo();
+  assert.equal(store.state.parameters.dampingConstant, 30, 'a deed ends the gesture');
+  store.undo();
+  assert.equal(store.state.parameters.dampingConstant, 30);
+  store.redo();
+  assert.deepEqual(walks, [{ direction: 'undo', deed: null }, { direction: 'undo', deed }, { direction: 'redo', deed }]);
 });

@@ -1,4 +1,5 @@
 import { LitElement, html } from 'lit';
+import { tell } from '../command.js';
 import './knob.js';
 import { nameOf } from './quantity.js';
 import { symbolOf } from './symbol.js';
@@ -13,14 +14,16 @@ export const knobs = ['velocity', 'dampingConstant', 'casterLength', 'freeplayAn
 
 /**
  * The knobs under the stage. On a phone one large slider, and chips that choose which value it sets.
- * Asks for the drawer by a `drawer` event, for the opening values by `reset-all`.
+ * Commands: `drawer`, `resetAll`.
  */
 export class Dock extends LitElement {
   static properties = {
     quantities: { attribute: false },
     values: { attribute: false },
+    links: { attribute: false },
     usual: { attribute: false },
     voice: { attribute: false },
+    isVeiled: { attribute: false },
     isOpen: { attribute: false },
     chosen: { state: true },
   };
@@ -29,8 +32,11 @@ export class Dock extends LitElement {
     super();
     /** @type {Quantity[]} */ this.quantities = [];
     /** @type {Readonly<Record<string, number>>} */ this.values = {};
+    /** Which values follow others. @type {Readonly<Record<string, boolean>>} */ this.links = {};
     /** @type {Readonly<Record<string, number>>} */ this.usual = {};
     /** @type {Voice | null} */ this.voice = null;
+    /** Whether what would tell the future is hidden. */
+    this.isVeiled = false;
     /** Whether the drawer with all values is open. */
     this.isOpen = false;
     /** @type {import('./knob.js').Change} */ this.change = () => null;
@@ -53,7 +59,7 @@ export class Dock extends LitElement {
             @click=${() => { this.chosen = quantity.name; }}>
             <span class="only-heard">${nameOf(quantity, voice)}</span> ${symbolOf(quantity.parameter.symbol)} ${short(values[quantity.name], quantity, voice)}
           </button>`)}
-        <button type="button" aria-expanded=${this.isOpen ? 'true' : 'false'} @click=${() => this.#ask('drawer')}>
+        <button type="button" aria-expanded=${this.isOpen ? 'true' : 'false'} @click=${() => tell(this, 'drawer')}>
           ${voice.say('dock.all.short', { count })}
         </button>
       </div>
@@ -62,16 +68,11 @@ export class Dock extends LitElement {
           .quantity=${quantity} .value=${values[quantity.name]} .usual=${usual[quantity.name]} .voice=${voice}
           .change=${this.change}></shimmy-knob>`)}
       <div class="dock-more">
-        <button type="button" class="framed" aria-expanded=${this.isOpen ? 'true' : 'false'} @click=${() => this.#ask('drawer')}>
+        <button type="button" class="framed" aria-expanded=${this.isOpen ? 'true' : 'false'} @click=${() => tell(this, 'drawer')}>
           ${voice.say('dock.all', { count })} ${this.isOpen ? '▾' : '▴'}
         </button>
-        <button type="button" class="plain" @click=${() => this.#ask('reset-all')}>↺ ${voice.say('dock.reset')}</button>
+        <button type="button" class="plain" @click=${() => tell(this, 'resetAll')}>↺ ${voice.say('dock.reset')}</button>
       </div>`;
-  }
-
-  /** @param {'drawer' | 'reset-all'} what */
-  #ask(what) {
-    this.dispatchEvent(new CustomEvent(what));
   }
 }
 

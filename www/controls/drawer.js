@@ -1,4 +1,5 @@
 import { LitElement, html } from 'lit';
+import { tell } from '../command.js';
 import './knob.js';
 
 /**
@@ -6,21 +7,26 @@ import './knob.js';
  * @typedef {import('../words/voice.js').Voice} Voice
  */
 
-/** All values of the model, over the lens and never over the gear. Asks to be closed by a `close` event. */
+/** All values of the model, over the lens and never over the gear. Closed by the command `drawer`. */
 export class Drawer extends LitElement {
   static properties = {
     quantities: { attribute: false },
     values: { attribute: false },
+    links: { attribute: false },
     usual: { attribute: false },
     voice: { attribute: false },
+    isVeiled: { attribute: false },
   };
 
   constructor() {
     super();
     /** @type {Quantity[]} */ this.quantities = [];
     /** @type {Readonly<Record<string, number>>} */ this.values = {};
+    /** Which values follow others. @type {Readonly<Record<string, boolean>>} */ this.links = {};
     /** @type {Readonly<Record<string, number>>} */ this.usual = {};
     /** @type {Voice | null} */ this.voice = null;
+    /** Whether what would tell the future is hidden. */
+    this.isVeiled = false;
     /** @type {import('./knob.js').Change} */ this.change = () => null;
   }
 
@@ -55,7 +61,7 @@ export class Drawer extends LitElement {
   }
 
   #close() {
-    this.dispatchEvent(new CustomEvent('close'));
+    tell(this, 'drawer');
   }
 }
 

@@ -1,4 +1,5 @@
 import { LitElement, html } from 'lit';
+import { tell } from '../command.js';
 import { parseNumber } from '../words/number.js';
 import { nameOf } from './quantity.js';
 import { explain } from './refusal.js';
@@ -18,7 +19,7 @@ const places = 1000;
  * One parameter: symbol, name, exact number, unit, reset, and below them the slider. Made from the parameter's line in
  * the engine's table. A value that the engine refuses is explained beneath; the run keeps the last good one.
  *
- * Tells of the end of a gesture by a `settle` event that bubbles.
+ * Tells the end of a gesture by the command `settle`.
  */
 export class Knob extends LitElement {
   static properties = {
@@ -139,7 +140,7 @@ export class Knob extends LitElement {
   }
 
   #settle() {
-    this.dispatchEvent(new CustomEvent('settle', { bubbles: true }));
+    tell(this, 'settle');
   }
 }
 

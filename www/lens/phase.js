@@ -1,4 +1,5 @@
 import { LitElement, html } from 'lit';
+import { tell } from '../command.js';
 import '../view/canvas.js';
 import { drawPhasePortrait } from '../view/phase-portrait.js';
 
@@ -6,14 +7,14 @@ import { drawPhasePortrait } from '../view/phase-portrait.js';
  * @typedef {import('../engine/engine.js').Outlook} Outlook
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../words/voice.js').Voice} Voice
- * @typedef {import('../session.js').Scene} Scene
+ * @typedef {import('../run/scene.js').Scene} Scene
  */
 
 const degrees = 180 / Math.PI;
 
-/** The lens *Phase*: ψ̇ over ψ, and in one line the motion it settles on. Asks for a fit by a `fit` event. */
+/** The lens *Phase*: ψ̇ over ψ, and in one line the motion it settles on. */
 export class PhaseLens extends LitElement {
-  static properties = { outlook: { attribute: false }, voice: { attribute: false } };
+  static properties = { outlook: { attribute: false }, voice: { attribute: false }, shows: { attribute: false }, isVeiled: { attribute: false } };
 
   /** @type {Scene | null} */ #scene = null;
   /** @type {Theme | null} */ #theme = null;
@@ -22,6 +23,9 @@ export class PhaseLens extends LitElement {
     super();
     /** @type {Outlook | null} */ this.outlook = null;
     /** @type {Voice | null} */ this.voice = null;
+    /** Whether what would tell the future is hidden. */
+    this.isVeiled = false;
+    /** Which of its views. */ this.shows = '';
   }
 
   createRenderRoot() {
@@ -35,7 +39,7 @@ export class PhaseLens extends LitElement {
       <shimmy-canvas .label=${voice.say('phase.name')} .paint=${this.#paint}></shimmy-canvas>
       <footer>
         <p class="destination">${outlook ? destination(outlook, voice) : ''}</p>
-        <button type="button" class="framed" title="${voice.say('phase.fit.does')} (0)" @click=${() => this.dispatchEvent(new CustomEvent('fit'))}>
+        <button type="button" class="framed" title="${voice.say('phase.fit.does')} (0)" @click=${() => tell(this, 'fit')}>
           ${voice.say('phase.fit')}
         </button>
       </footer>`;

@@ -1,9 +1,10 @@
 import { LitElement, html } from 'lit';
+import { tell } from '../command.js';
 import { lenses } from './lenses.js';
 
 /** @typedef {import('../words/voice.js').Voice} Voice */
 
-/** The row of lenses. Those not built yet are dimmed and say so. Tells the choice by a `lens` event. */
+/** The row of lenses. Those not built yet are dimmed and say so. Tells the choice by the command `lens`. */
 export class LensTabs extends LitElement {
   static properties = { voice: { attribute: false }, lens: { attribute: false } };
 
@@ -27,7 +28,7 @@ export class LensTabs extends LitElement {
         <button type="button" role="tab" id="tab-${name}" aria-controls="lens-panel" aria-selected=${name === this.lens ? 'true' : 'false'}
           aria-disabled=${ready ? 'false' : 'true'} tabindex=${name === this.lens ? 0 : -1} title=${reason}
           aria-label=${ready ? word : reason}
-          @click=${() => ready && this.dispatchEvent(new CustomEvent('lens', { detail: name }))} @keydown=${this.#key}>${word}</button>`;
+          @click=${() => ready && tell(this, 'lens', name)} @keydown=${this.#key}>${word}</button>`;
     })}</div>`;
   }
 

@@ -3,14 +3,14 @@ import '../view/canvas.js';
 import './timeline.js';
 import './transport.js';
 import './verdict.js';
-import { kickImpulse } from '../session.js';
+import { kickImpulse } from '../run/session.js';
 import { gearEn, gearTr } from '../words/gear.js';
 import { gearAtRest } from './at-rest.js';
 import { drawGear, trackLength } from './gear/draw.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
- * @typedef {import('../session.js').Scene} Scene
+ * @typedef {import('../run/scene.js').Scene} Scene
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../words/voice.js').Voice} Voice
  */
@@ -25,9 +25,12 @@ const framesPerSecond = 60;
 export class Stage extends LitElement {
   static properties = {
     voice: { attribute: false },
+    isVeiled: { attribute: false },
     isReady: { attribute: false },
     isPlaying: { attribute: false },
+    mode: { attribute: false },
     slow: { attribute: false },
+    views: { attribute: false },
     step: { attribute: false },
     failure: { attribute: false },
     isStopped: { attribute: false },
@@ -44,9 +47,13 @@ export class Stage extends LitElement {
   constructor() {
     super();
     /** @type {Voice | null} */ this.voice = null;
+    /** Whether what would tell the future is hidden. */
+    this.isVeiled = false;
     this.isReady = false;
     this.isPlaying = false;
+    /** @type {import('../run/clock.js').Mode} */ this.mode = 'slow';
     this.slow = 50;
+    /** What the timeline shows, among others. @type {Readonly<Record<string, string>>} */ this.views = {};
     this.step = 0.001;
     this.failure = '';
     /** Whether the run has left what can be computed. */
@@ -73,10 +80,8 @@ export class Stage extends LitElement {
         <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .occasion=${this.occasion} .message=${this.#message(voice)}></shimmy-verdict>
       </div>
       <shimmy-transport role="group" aria-label=${voice.say('clock.name')} .voice=${voice} .isPlaying=${this.isPlaying} .isReady=${this.isReady}
-        .slow=${this.slow} .frequency=${this.frequency} .kickImpulse=${kickImpulse}
-        @transport=${this.#pass} @rate=${this.#pass}></shimmy-transport>
-      <shimmy-timeline .voice=${voice} .time=${this.time} .angle=${this.#scene?.state[0] ?? 0} .step=${this.step}
-        @seek=${this.#pass}></shimmy-timeline>`;
+        .slow=${this.slow} .frequency=${this.frequency} .kickImpulse=${kickImpulse}></shimmy-transport>
+      <shimmy-timeline .voice=${voice} .time=${this.time} .angle=${this.#scene?.state[0] ?? 0} .step=${this.step}></shimmy-timeline>`;
   }
 
   /** What the drawings of the stage need of the session. */
@@ -139,12 +144,6 @@ export class Stage extends LitElement {
     if (this.failure) return voice.say('engine.refused', { reason: this.failure });
     if (this.isStopped) return voice.say('verdict.stopped');
     return !this.isReady && this.isSlowToStart ? voice.say('engine.starting') : '';
-  }
-
-  /** @param {Event} event */
-  #pass(event) {
-    const { type, detail } = /** @type {CustomEvent} */ (event);
-    this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 }
 

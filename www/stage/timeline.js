@@ -1,4 +1,5 @@
 import { LitElement, html } from 'lit';
+import { tell } from '../command.js';
 import '../view/canvas.js';
 import { linear } from '../view/scale.js';
 import { textFont } from '../view/text.js';
@@ -10,14 +11,14 @@ import { drawTimeHistory } from '../view/time-history.js';
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {import('../view/canvas.js').Size} Size
  * @typedef {import('../view/time-history.js').Box} Box
- * @typedef {import('../session.js').Scene} Scene
+ * @typedef {import('../run/scene.js').Scene} Scene
  */
 
 const degrees = 180 / Math.PI;
 
 /**
  * Time as two lanes: the whole run with what comes, and the instants around now. Dragging either moves the time; so
- * do the arrow keys. Tells the time wanted by a `seek` event, the end of a drag by `settle`.
+ * do the arrow keys. Commands: `seek` with the time wanted, `settle` at the end of a drag.
  */
 export class Timeline extends LitElement {
   static properties = { voice: { attribute: false }, time: { attribute: false }, angle: { attribute: false } };
@@ -142,7 +143,7 @@ export class Timeline extends LitElement {
   #release() {
     if (!this.#grip) return;
     this.#grip = null;
-    this.dispatchEvent(new CustomEvent('settle', { bubbles: true }));
+    tell(this, 'settle');
   }
 
   /** @param {KeyboardEvent} event */
@@ -158,12 +159,12 @@ export class Timeline extends LitElement {
     const end = from + (to - from) / 1.101;
     const jumped = Math.min(Math.max(scene.time + (tenths ?? 0) * 0.1 * (to - from), from), tenths === Infinity ? end : to);
     this.#seek(steps ? scene.time + steps * this.step * (event.shiftKey ? 10 : 1) : jumped);
-    this.dispatchEvent(new CustomEvent('settle', { bubbles: true }));
+    tell(this, 'settle');
   }
 
   /** @param {number} time */
   #seek(time) {
-    this.dispatchEvent(new CustomEvent('seek', { detail: Math.max(0, time) }));
+    tell(this, 'seek', Math.max(0, time));
   }
 }
 

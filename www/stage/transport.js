@@ -1,11 +1,11 @@
 import { LitElement, html, svg } from 'lit';
-import { isShownTruly, slowRates } from './rate.js';
+import { tell } from '../command.js';
+import { isShownTruly, slowRates } from '../run/rate.js';
 
 /** @typedef {import('../words/voice.js').Voice} Voice */
 
 /**
- * Play, pause, step, back to the start, the rate, a kick. Says what was pressed by a `transport` event, the rate by a
- * `rate` event.
+ * Play, pause, step, back to the start, the rate, a kick. Tells the command that was pressed.
  */
 export class Transport extends LitElement {
   static properties = {
@@ -34,7 +34,7 @@ export class Transport extends LitElement {
   render() {
     const { voice, isPlaying, isReady, slow } = this;
     if (!voice) return html``;
-    const press = (/** @type {string} */ what) => () => this.dispatchEvent(new CustomEvent('transport', { detail: what }));
+    const press = (/** @type {string} */ what) => () => tell(this, what);
     // Without motion a run is walked through, not watched.
     const [leads, follows] = stillness.matches ? ['primary', 'framed'] : ['framed', 'primary'];
     const start = voice.say('clock.start');
@@ -69,7 +69,7 @@ export class Transport extends LitElement {
   /** @param {Event} event */
   #chosen(event) {
     const slow = Number(/** @type {HTMLSelectElement} */ (event.target).value);
-    this.dispatchEvent(new CustomEvent('rate', { detail: slow }));
+    tell(this, 'rate', { mode: 'slow', slow });
   }
 }
 

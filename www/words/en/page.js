@@ -43,6 +43,7 @@ export const page = {
   'link.unknown': '{key} (unknown)',
   'link.not-a-number': '{key} = {value} (not a number)',
   'link.refused': '{key} = {value} (not allowed)',
+  'link.unclear': '{key} = {value} (not understood)',
   'link.newer': 'version {value} (newer than this page)',
   'link.twice': '{key} = {value} (given twice)',
 

@@ -43,6 +43,7 @@ export const page = {
   'link.unknown': '{key} (bilinmiyor)',
   'link.not-a-number': '{key} = {value} (sayı değil)',
   'link.refused': '{key} = {value} (izin verilmez)',
+  'link.unclear': '{key} = {value} (anlaşılmadı)',
   'link.newer': '{value} sürümü (bu sayfadan yeni)',
   'link.twice': '{key} = {value} (iki kez verilmiş)',
 

@@ -19,14 +19,15 @@ export function magnificationFor(angle) {
 }
 
 /**
- * @typedef {{ angle: number, rate: number }} Swing the largest ψ and ψ̇ of a motion
+ * @typedef {{ angle: number, rate: number, deformation: number }} Swing the largest ψ, ψ̇ and y of a motion
  * @param {Swing} swing
- * @returns {Swing} ends of axes that hold it, in rad and rad/s; the angle's is round in degrees
+ * @returns {Swing} ends of axes that hold it, in rad, rad/s and m; the angle's is round in degrees, y's in mm
  */
-export function limitsFor({ angle, rate }) {
+export function limitsFor({ angle, rate, deformation }) {
   return {
     angle: roundLimit(Math.max(angle, least) / degree) * degree,
     rate: roundLimit(Math.max(rate, 0.01)),
+    deformation: roundLimit(Math.max(deformation, 1e-5) * 1000) / 1000,
   };
 }
 
@@ -36,7 +37,7 @@ export function limitsFor({ angle, rate }) {
  * @param {Swing} swing
  */
 export function stillFits(limits, swing) {
-  const share = Math.max(swing.angle / limits.angle, swing.rate / limits.rate);
+  const share = Math.max(swing.angle / limits.angle, swing.rate / limits.rate, swing.deformation / limits.deformation);
   return share <= 1 && share > 1 / 3;
 }
 

@@ -1,0 +1,201 @@
+/**
+ * The page without its elements: store, clock, engine, session, notes, and the commands that change them. Elements show
+ * what it holds and tell it commands; a test can do both without a browser.
+ */
+
+import { Quantity } from './controls/quantity.js';
+import { clockCommands } from './commands/clock.js';
+import { experimentCommands } from './commands/experiment.js';
+import { viewCommands } from './commands/view.js';
+import { recall } from './keep.js';
+import { lenses } from './lens/lenses.js';
+import { noteOn } from './link/note.js';
+import { readLink } from './link/read.js';
+import { writeLink } from './link/write.js';
+import { openingObject, openingParameters, openingRun } from './opening.js';
+import { settlingTime } from './run/fit.js';
+import { Clock } from './run/clock.js';
+import { linksThatHold } from './run/links.js';
+import { slowRateFor } from './run/rate.js';
+import { Session } from './run/session.js';
+import { Store } from './store.js';
+import { languages, voiceOf } from './words/voice.js';
+
+/**
+ * @typedef {import('./engine/engine.js').Engine} Engine
+ * @typedef {import('./engine/engine.js').Model} Model
+ * @typedef {import('./notice.js').Note} Note
+ * @typedef {import('./store.js').State} State
+ * @typedef {(value?: any) => void} Command
+ */
+
+export class App {
+  /** @type {Engine | null} */ engine = null;
+  /** @type {Session | null} */ session = null;
+  clock = new Clock(slowRateFor(null));
+  store = new Store(firstState());
+  /** What there is to say above the lens. @type {Note[]} */ notes = [];
+  /** Why there is no engine. */ failure = '';
+  isDrawerOpen = false;
+  /** Counts the changes that a hand has ended: each is a reason to speak. */ occasion = 0;
+  /** Whether the outlook is to be looked at anew though no time has gone by. */ isLookDue = true;
+  /** Called after each change of what elements show. */ onChange = () => {};
+  /** @type {Map<string, Quantity[]>} */ #quantities = new Map();
+
+  /** All commands by name. @type {Readonly<Record<string, Command>>} */
+  commands = { ...clockCommands(this), ...experimentCommands(this), ...viewCommands(this) };
+
+  constructor() {
+    this.store.subscribe((state, before) => {
+      if (state.clock !== before.clock || state.run !== before.run) this.setRate();
+      this.onChange();
+    });
+  }
+
+  get state() {
+    return this.store.state;
+  }
+
+  get voice() {
+    return voiceOf(this.state.language);
+  }
+
+  /** Whether what would tell the future is hidden. */
+  get isVeiled() {
+    const { predict } = this.state;
+    return predict !== null && !predict.isRevealed;
+  }
+
+  /** The model's tables; null before the engine is there. @returns {Model | null} */
+  get table() {
+    return this.engine?.models().find(({ name }) => name === this.state.object) ?? null;
+  }
+
+  /** The parameters of the object as the page shows them. */
+  get quantities() {
+    const { object } = this.state;
+    const table = this.#quantities.has(object) ? null : this.table;
+    if (table) this.#quantities.set(object, table.parameters.map((parameter) => new Quantity(parameter)));
+    return this.#quantities.get(object) ?? [];
+  }
+
+  /** What "reset" brings back, in SI. @returns {Record<string, number>} */
+  get usual() {
+    return Object.fromEntries(this.quantities.map(({ name, parameter }) => [name, openingParameters[name] ?? parameter.default]));
+  }
+
+  /**
+   * Carries out a command.
+   * @param {string} name
+   * @param {unknown} [value]
+   */
+  run(name, value) {
+    const command = this.commands[name];
+    if (!command) throw new Error(`no command ${name}`);
+    if (!this.session && !['language', 'theme'].includes(name)) return;
+    command(value);
+    this.onChange();
+  }
+
+  /**
+   * Takes the engine, and opens what the first of these addresses carries, else the opening.
+   * @param {Engine} engine
+   * @param {string[]} addresses
+   * @param {{ isStill: boolean }} options `isStill`: paused, with the whole run drawn
+   */
+  open(engine, addresses, { isStill }) {
+    this.engine = engine;
+    if (!addresses.some((address) => this.openLink(address))) {
+      this.store.follow({ parameters: this.usual, run: openingRun });
+      this.store.follow({ links: linksThatHold(engine, openingObject, this.usual) });
+    }
+    this.session = new Session(engine, this.store);
+    this.setRate();
+    if (isStill) this.session.seek(settlingTime(this.session.outlook.envelope));
+    else this.clock.play();
+    this.onChange();
+  }
+
+  /**
+   * Opens what an address carries, and notes what could not be read.
+   * @param {string} text
+   * @returns {boolean} whether it carried an experiment
+   */
+  openLink(text) {
+    const { engine, session } = this;
+    if (!engine || (session && text === this.link)) return false;
+    const read = readLink(text, engine.models(), (run) => this.#accepts(run));
+    if (!read) return false;
+    // A damaged link without a start would open on a wheel at rest, and say nothing of why.
+    const isBare = read.problems.length > 0 && Object.keys(read.state.run.initial).length === 0;
+    const run = isBare ? openingRun : read.state.run;
+    const { object, parameters, links } = read.state;
+    const holding = linksThatHold(engine, object, parameters);
+    const change = { ...read.state, run, links: Object.fromEntries(Object.keys(holding).map((name) => [name, holding[name] && links[name] !== false])) };
+    if (session) this.store.update(change);
+    else this.store.follow(change);
+    const note = noteOn(read.problems, this.voice);
+    if (note && isBare) note.text += ` ${this.voice.say('link.start')}`;
+    this.notes = note ? [note] : [];
+    return true;
+  }
+
+  /** The whole state as an address; empty before there is one. */
+  get link() {
+    return this.engine && this.session ? writeLink(this.state, this.session.recipe, this.engine.models()) : '';
+  }
+
+  /** The rate by hand, else the one for the motion that the run settles on; and the beat that the strobe locks to. */
+  setRate() {
+    const { frequency, present } = this.session?.outlook ?? {};
+    const { mode, slow } = this.state.clock;
+    this.clock.mode = mode;
+    this.clock.slow = slow ?? slowRateFor(frequency ?? present?.frequency ?? null);
+    this.lockStrobe();
+  }
+
+  /** The strobe follows the beat of now. */
+  lockStrobe() {
+    const beat = this.session?.frequency;
+    this.clock.period = beat ? 1 / beat : null;
+  }
+
+  /** A hand ended what it did: look anew, and speak. */
+  settled() {
+    this.session?.settle();
+    this.occasion++;
+    this.isLookDue = true;
+  }
+
+  /** @param {import('./engine/engine.js').Run} run */
+  #accepts(run) {
+    try {
+      if (this.engine) new this.engine.Simulator(run).free();
+      return true;
+    } catch {
+      return false;
+    }
+  }
+}
+
+/** @returns {State} language and theme as kept, or as the browser has them; the experiment waits for the engine */
+function firstState() {
+  const kept = recall();
+  const language = kept.language ?? (globalThis.navigator?.language ?? 'en').slice(0, 2);
+  const theme = kept.theme;
+  return {
+    object: openingObject,
+    parameters: {},
+    run: openingRun,
+    links: {},
+    ghosts: [],
+    clock: { mode: 'slow', slow: null },
+    lens: lenses[0].name,
+    views: {},
+    story: null,
+    predict: null,
+    isBig: false,
+    language: Object.hasOwn(languages, language) ? /** @type {State['language']} */ (language) : 'en',
+    theme: theme === 'light' || theme === 'dark' ? theme : 'system',
+  };
+}

@@ -1,0 +1,64 @@
+/**
+ * Commands of the clock and of the hand on the wheel.
+ *
+ * @param {import('../app.js').App} app
+ * @returns {Record<string, import('../app.js').Command>}
+ */
+export function clockCommands(app) {
+  const { clock, store } = app;
+  const look = () => { app.isLookDue = true; };
+  const seek = (/** @type {number} */ time) => {
+    app.session?.seek(time);
+    app.notes = [];
+    look();
+  };
+  const stepBy = (/** @type {number} */ steps) => {
+    clock.pause();
+    if (app.session) seek(app.session.time + steps * clock.step);
+  };
+  /** When the hand took hold, in s. @type {number | null} */
+  let heldSince = null;
+  return {
+    toggle: () => {
+      if (clock.isPlaying) clock.pause();
+      else clock.play();
+      look();
+    },
+    play: () => clock.play(),
+    pause: () => {
+      clock.pause();
+      look();
+    },
+    on: () => stepBy(1),
+    back: () => stepBy(-1),
+    seek,
+    start: () => {
+      app.notes = [];
+      app.session?.restart();
+      app.setRate();
+      look();
+    },
+    kick: () => {
+      app.session?.kick();
+      look();
+    },
+    rest: () => {
+      app.session?.rest();
+      look();
+    },
+    /** @param {number} angle ψ in rad */
+    hold: (angle) => {
+      heldSince ??= app.session?.time ?? 0;
+      app.session?.hold(angle);
+    },
+    release: () => {
+      if (heldSince === null) return;
+      app.session?.letGo(heldSince);
+      heldSince = null;
+      app.occasion++;
+      look();
+    },
+    /** @param {{ mode: import('../run/clock.js').Mode, slow?: number | null }} rate */
+    rate: ({ mode, slow = store.state.clock.slow }) => store.update({ clock: { mode, slow } }),
+  };
+}

@@ -1,0 +1,34 @@
+import { openingObject, openingRun } from '../opening.js';
+import { linksThatHold } from '../run/links.js';
+
+/**
+ * Commands that change the experiment: values, links, ghosts, undo.
+ *
+ * @param {import('../app.js').App} app
+ * @returns {Record<string, import('../app.js').Command>}
+ */
+export function experimentCommands(app) {
+  const { store } = app;
+  const walk = (/** @type {'undo' | 'redo'} */ direction) => () => {
+    store[direction]();
+    app.notes = [];
+    app.settled();
+  };
+  return {
+    settle: () => app.settled(),
+    undo: walk('undo'),
+    redo: walk('redo'),
+    resetAll: () => {
+      if (!app.engine) return;
+      store.follow({ object: openingObject });
+      const links = linksThatHold(app.engine, openingObject, app.usual);
+      store.update({ parameters: app.usual, links, run: { ...openingRun }, clock: { mode: 'slow', slow: null } });
+    },
+    /** @param {string} name of a value that follows others */
+    toggleLink: (name) => app.session?.toggleLink(name),
+    pin: () => app.session?.pin(),
+    /** @param {number} index */
+    unpin: (index) => app.session?.unpin(index),
+    unpinAll: () => store.update({ ghosts: [] }),
+  };
+}

@@ -1,0 +1,12 @@
+import { html, unsafeStatic } from 'lit/static-html.js';
+import './phase.js';
+
+/**
+ * The element of a lens that is ready.
+ * @param {string} lens
+ * @param {{ voice: import('../words/voice.js').Voice, shows: string, isVeiled: boolean }} given
+ */
+export function lensElement(lens, { voice, shows, isVeiled }) {
+  const tag = unsafeStatic(`shimmy-${lens}-lens`);
+  return html`<${tag} id="lens-panel" role="tabpanel" aria-labelledby="tab-${lens}" .voice=${voice} .shows=${shows} .isVeiled=${isVeiled}></${tag}>`;
+}

@@ -1,0 +1,111 @@
+/**
+ * What is drawn of a run at an instant: columns and numbers, in SI units and radians, for the gear, the timeline and
+ * every lens.
+ *
+ * @typedef {import('../engine/engine.js').Engine} Engine
+ * @typedef {import('../engine/engine.js').Outlook} Outlook
+ * @typedef {import('../engine/engine.js').Energy} Energy
+ * @typedef {import('./live-run.js').LiveRun} LiveRun
+ * @typedef {ReturnType<typeof sceneOf>} Scene
+ * @typedef {{ moment: [number, number], trackLength: number, stretches: number, exposure: number }} Wanted
+ *   `moment`: the window around now, in s; `trackLength`: how much of the ground behind is still seen, in m;
+ *   `stretches`: how finely the whole run is shown; `exposure`: the model time of one frame where that is too fast for
+ *   a single pose, 0 where it is not, in s
+ */
+
+import { roundStep } from '../view/scale.js';
+import { spanFor } from './fit.js';
+
+const pastCycles = 8;
+const samplesPerCycle = 64;
+/** Poses of a fan, spread over the exposure of a frame. */
+const poses = 16;
+
+/**
+ * @param {{
+ *   engine: Engine, live: LiveRun, past: import('./past-envelope.js').PastEnvelope, odometer: import('./odometer.js').Odometer,
+ *   outlook: Outlook, scales: { magnification: number, limits: import('./fit.js').Swing, forces: { force: number, moment: number } },
+ *   frequency: number | null, ghosts: import('./ghosts.js').Ghosts, energy: Energy | null, lookedAt: number, stepsAhead: number,
+ * }} session
+ * @param {Wanted} wanted
+ */
+export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, scales, frequency, ghosts, energy, lookedAt, stepsAhead }, wanted) {
+  const { moment, trackLength, stretches, exposure } = wanted;
+  const { time, parameters, object, state } = live;
+  const [earliest] = live.range;
+  const beat = 1 / (frequency ?? 50);
+  const since = (/** @type {number} */ span) => Math.max(earliest, time - span);
+  const past = live.history(since(-moment[0]), time, 240);
+  const roll = odometer.distanceAt(time);
+  const trackFrom = Math.max(earliest, odometer.timeAt(roll - trackLength));
+  const tracked = (/** @type {LiveRun} */ run, /** @type {number} */ shift) => {
+    const from = Math.max(run.range[0], trackFrom - shift);
+    const track = run.history(from, Math.max(from, run.time), 120);
+    return { ...track, distance: track.time.map((at) => odometer.distanceAt(at + shift)) };
+  };
+  const ahead = { ...outlook.envelope, time: outlook.envelope.time.map((at) => at + lookedAt) };
+  const span = spanFor(ahead, time, live.range);
+  const stretch = Math.max((span.to - span.from) / stretches, roundStep(beat));
+  const model = { model: object, parameters };
+  return {
+    object, time, state, parameters,
+    forces: engine.forces(model, state),
+    past,
+    orbitPast: live.history(since(pastCycles * beat), time, pastCycles * samplesPerCycle),
+    track: tracked(live, 0),
+    future: engine.simulate({ ...model, initial: live.stateByName, duration: moment[1], samples: 60, rtol: 1e-6, maxSteps: stepsAhead }),
+    run: { ...span, past: pastEnvelope.upTo(live, span.from, stretch), future: ahead },
+    extremes: extremes(past, time - beat),
+    trail: [3, 2, 1].map((twelfths) => poseAt(past, time - (twelfths * beat) / 12)).filter((pose) => pose !== null),
+    fan: exposure > 0 ? fanOf(live.history(since(exposure), time, poses)) : null,
+    ghosts: ghosts.all.map(({ live: run, outlook: goal, energy: exchanged, kept }) => ({
+      kept, state: run.state, parameters: run.parameters, outlook: goal, energy: exchanged,
+      past: shifted(run.history(Math.max(run.range[0], run.time + moment[0]), run.time, 240), kept.from),
+      orbitPast: run.history(Math.max(run.range[0], run.time - 2 * beat), run.time, 2 * samplesPerCycle),
+      track: tracked(run, kept.from),
+    })),
+    roll, outlook, scales, energy, frequency,
+  };
+}
+
+/** @template {{ time: Float64Array }} Columns @param {Columns} columns @param {number} later in s @returns {Columns} */
+function shifted(columns, later) {
+  return { ...columns, time: columns.time.map((at) => at + later) };
+}
+
+/** @param {{ torsionAngle: Float64Array, lateralDeformation: Float64Array }} history */
+function fanOf({ torsionAngle, lateralDeformation }) {
+  return Array.from(torsionAngle, (psi, i) => ({ psi, y: lateralDeformation[i] }));
+}
+
+/**
+ * @typedef {{ time: Float64Array, torsionAngle: Float64Array, lateralDeformation: Float64Array }} History
+ */
+
+/**
+ * Lowest and highest ψ since a time, or null where the history does not reach back so far.
+ * @param {History} history
+ * @param {number} since
+ * @returns {[number, number] | null}
+ */
+function extremes({ time, torsionAngle }, since) {
+  if (!(time[0] <= since)) return null;
+  let low = Infinity;
+  let high = -Infinity;
+  for (let i = time.length - 1; i >= 0 && time[i] >= since; i--) {
+    low = Math.min(low, torsionAngle[i]);
+    high = Math.max(high, torsionAngle[i]);
+  }
+  return [low, high];
+}
+
+/**
+ * @param {History} history equally spaced
+ * @param {number} at
+ */
+function poseAt({ time, torsionAngle, lateralDeformation }, at) {
+  const last = time.length - 1;
+  if (!(time[0] <= at)) return null;
+  const place = Math.min(last, Math.round(((at - time[0]) / (time[last] - time[0])) * last));
+  return { psi: torsionAngle[place], y: lateralDeformation[place] };
+}
