@@ -27,8 +27,8 @@
  * @typedef {'dies-out' | 'holds' | 'grows'} Guess
  *
  * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'story'>} Experiment
- * @typedef {{ time: number, again: Omit<Change, 'time'> }} Deed what was done to the run that is no change of a value:
- *   the time before it, and how to do it again
+ * @typedef {{ time: number, before: Record<string, number>, again: Omit<Change, 'time'> }} Deed what was done to the run
+ *   that is no change of a value: when, the state before it, and how to do it again
  * @typedef {{ direction: 'undo' | 'redo', deed: Deed | null }} Walk
  */
 

@@ -100,7 +100,7 @@ for (const [place, address] of places) {
       await page.getByRole('combobox').selectOption('25');
       await page.waitForURL(/slow=25/);
       const link = page.url();
-      assert.match(link, /#shimmy=1&dampingConstant=100&freeplayAngle=0\.0174\d+&initial\.torsionAngle=0\.05&slow=25$/);
+      assert.match(link, /#shimmy=2&dampingConstant=100&freeplayAngle=0\.0174\d+&initial\.torsionAngle=0\.05&was\.velocity=80&was\.dampingConstant=20&was\.freeplayAngle=0&do=[\d.]+,velocity:50&do=[\d.]+,dampingConstant:100&do=[\d.]+,freeplayAngle:0\.0174\d+&time=[\d.]+&slow=25$/);
       await leave();
 
       const again = await open(browser, link);

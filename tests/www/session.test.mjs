@@ -227,7 +227,7 @@ test('a blow, a twist and the rest are taken back by undo, and done again by red
   session.advance(0.2);
   const before = [...session.scene(wanted).state];
   const close = (/** @type {ArrayLike<number>} */ state) => Array.from(state).every((value, i) => Math.abs(value - before[i]) < 1e-9 * Math.max(1, Math.abs(value)));
-  for (const act of [() => session.kick(), () => session.rest(), () => { session.hold(0.2); session.letGo(0.2); }]) {
+  for (const act of [() => session.kick(), () => session.rest(), () => { session.hold(0.2); session.letGo(); }]) {
     act();
     const after = [...session.scene(wanted).state];
     assert.ok(!close(after), 'something has happened');
@@ -258,7 +258,7 @@ test('a hand holds the wheel while the ground rolls on, and lets it go from ther
   assert.equal(state[1], 0);
   // A wheel held askew drags its tire along until it runs straight: y = σψ. (The moment is brief: within 5 %.)
   assert.ok(Math.abs(state[2] / (parameters.relaxationLength * 0.1) - 1) < 0.05);
-  session.letGo(0.1);
+  session.letGo();
   assert.equal(session.scene(wanted).state[0], 0.1);
   session.advance(0.01);
   assert.notEqual(session.scene(wanted).state[0], 0.1);

@@ -88,7 +88,7 @@ test('what was done to the run is a step of undo, and says how to take it back a
   /** @type {unknown[]} */
   const walks = [];
   store.subscribe((_, __, walk) => walk && walks.push(walk));
-  const deed = { time: 0.2, again: { kick: 10 } };
+  const deed = { time: 0.2, before: { torsionAngle: 0.1 }, again: { kick: 10 } };
   damp(store, 30, 'c');
   store.did(deed);
   damp(store, 40, 'c');

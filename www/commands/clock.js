@@ -16,8 +16,6 @@ export function clockCommands(app) {
     clock.pause();
     if (app.session) seek(app.session.time + steps * clock.step);
   };
-  /** When the hand took hold, in s. @type {number | null} */
-  let heldSince = null;
   return {
     toggle: () => {
       if (clock.isPlaying) clock.pause();
@@ -47,14 +45,9 @@ export function clockCommands(app) {
       look();
     },
     /** @param {number} angle ψ in rad */
-    hold: (angle) => {
-      heldSince ??= app.session?.time ?? 0;
-      app.session?.hold(angle);
-    },
+    hold: (angle) => app.session?.hold(angle),
     release: () => {
-      if (heldSince === null) return;
-      app.session?.letGo(heldSince);
-      heldSince = null;
+      app.session?.letGo();
       app.occasion++;
       look();
     },

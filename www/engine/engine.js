@@ -7,6 +7,7 @@
  * @typedef {import('../pkg/shimmy.js').Simulator} Simulator
  * @typedef {import('../pkg/shimmy.js').Outlook} Outlook
  * @typedef {import('../pkg/shimmy.js').Model} Model
+ * @typedef {import('../pkg/shimmy.js').Energy} Energy
  */
 
 import init, * as engine from '../pkg/shimmy.js';

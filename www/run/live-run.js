@@ -110,11 +110,15 @@ export class LiveRun {
     this.#record({ time: this.time, gesture, ...(set && { set }), ...(state && { state }), ...(kick !== undefined && { kick }) });
   }
 
-  /** Forgets what comes after now, so that it does not happen again. */
-  forgetAhead() {
-    const [name] = this.#names;
-    this.#simulator.setState(name, this.state[0]);
-    this.#changes = this.#changes.filter(({ time }) => time < this.time);
+  /**
+   * Takes the run back to an instant, to the state before a hand touched it; that and all after it is forgotten.
+   * @param {number} time in s
+   * @param {Record<string, number>} state of then
+   */
+  takeBack(time, state) {
+    this.seek(time);
+    for (const [name, value] of Object.entries(state)) this.#simulator.setState(name, value);
+    this.#changes = this.#changes.filter((change) => change.time < time || (change.time === time && change.set));
   }
 
   /** @param {number} from @param {number} to @param {number} samples */

@@ -8,7 +8,7 @@
 import { roundLimit } from '../view/scale.js';
 import { limitsFor, magnificationFor, stillFits } from './fit.js';
 import { Ghosts } from './ghosts.js';
-import { linkedNames, linksBrokenBy } from './links.js';
+import { followed, linksBrokenBy, withFollowers } from './links.js';
 import { LiveRun } from './live-run.js';
 import { Odometer } from './odometer.js';
 import { PastEnvelope } from './past-envelope.js';
@@ -37,6 +37,8 @@ const widestDrawn = (60 * Math.PI) / 180;
 /** Scales reach no further ahead than this, far beyond what the model is trusted for. */
 const widestAhead = 1;
 const samplesPerCycle = 64;
+/** A hand is firm: between two of its pushes no more time goes by than this, in s. */
+const grip = 5e-4;
 
 export class Session {
   #engine;
@@ -47,6 +49,7 @@ export class Session {
   #lookedAt = 0;
   #isStale = false;
   /** @type {Energy | null} */ #energy = null;
+  /** When a hand took hold of the wheel, and how it stood. @type {{ time: number, before: Record<string, number>, angle: number } | null} */ #held = null;
 
   /**
    * @param {Engine} engine
@@ -122,7 +125,7 @@ export class Session {
   advance(seconds) {
     if (!(seconds > 0) || this.failure) return;
     this.#odometer.drive(this.time, this.#live.parameters.velocity, this.#live.range[0]);
-    this.#tried(() => this.#live.advance(seconds));
+    this.#tried(() => (this.#held ? this.#advanceHeld(this.#held.angle, seconds) : this.#live.advance(seconds)));
     this.ghosts.goTo(this.time);
   }
 
@@ -149,17 +152,26 @@ export class Session {
    */
   hold(angle) {
     if (this.failure || !Number.isFinite(angle)) return;
-    this.#tried(() => this.#live.apply({ state: { torsionAngle: angle, torsionRate: 0 } }, 'hold'));
+    this.#held = { time: this.time, before: this.#live.stateByName, ...this.#held, angle };
+    this.#tried(() => this.#live.apply({ state: held(angle) }, 'hold'));
     this.#isStale = true;
   }
 
-  /** The hand lets go: the run goes on from there, and undo takes the wheel back to before. @param {number} since when it took hold */
-  letGo(since) {
+  /** The hand lets go: the run goes on from there, and undo takes the wheel back to before. */
+  letGo() {
+    if (!this.#held) return;
+    const { time, before } = this.#held;
+    this.#held = null;
     const state = this.#live.stateByName;
     this.#tried(() => this.#live.apply({ state }, 'hold'));
-    this.#store.did({ time: since, again: { state } });
+    this.#store.did({ time, before, again: { state } });
     this.refresh();
     this.#refit();
+  }
+
+  /** Whether a hand holds the wheel. */
+  get isHeld() {
+    return this.#held !== null;
   }
 
   /** The wheel straight ahead and at rest; parameters stay. */
@@ -178,7 +190,7 @@ export class Session {
     const { state } = this.#store;
     const links = linksBrokenBy(name, state.links);
     try {
-      this.#apply(this.#withLinked({ [name]: value }, links), gesture);
+      this.#apply(withFollowers(this.#engine, { [name]: value }, this.#live.parameters, links), gesture);
     } catch (error) {
       return /** @type {Refusal} */ (error);
     }
@@ -192,7 +204,11 @@ export class Session {
    */
   toggleLink(name) {
     const links = { ...this.#store.state.links, [name]: !this.#store.state.links[name] };
-    if (links[name]) this.#apply(this.#withLinked({}, links), null);
+    if (links[name]) {
+      const { parameters } = this.#live;
+      const sources = Object.fromEntries(followed[name].map((source) => [source, parameters[source]]));
+      this.#apply(withFollowers(this.#engine, sources, parameters, { [name]: true }), null);
+    }
     this.#store.update({ parameters: { ...this.#live.parameters }, links });
     this.settle();
   }
@@ -273,6 +289,7 @@ export class Session {
     const live = this.#begun(state);
     this.#live.free();
     this.#live = live;
+    this.#held = null;
     this.refresh();
     this.fit();
   }
@@ -280,9 +297,9 @@ export class Session {
   /** Does something that is no change of a value: undo takes the run back to before it. @param {Omit<Change, 'time'>} change */
   #do(change) {
     if (this.failure) return;
-    const { time } = this;
+    const deed = { time: this.time, before: this.#live.stateByName, again: change };
     this.#tried(() => this.#live.apply(change));
-    this.#store.did({ time, again: change });
+    this.#store.did(deed);
     this.refresh();
     this.#refit();
   }
@@ -297,18 +314,6 @@ export class Session {
     this.#isStale = true;
   }
 
-  /**
-   * These values with those that follow them.
-   * @param {Record<string, number>} set @param {State['links']} links
-   */
-  #withLinked(set, links) {
-    const { object: model, parameters } = this.#live;
-    const names = linkedNames(links).filter((name) => name in parameters);
-    if (names.length === 0) return set;
-    const values = this.#engine.linkedParameters({ model, parameters: { ...parameters, ...set } });
-    return { ...set, ...Object.fromEntries(names.filter((name) => values[name] !== parameters[name]).map((name) => [name, values[name]])) };
-  }
-
   /** After a stop, back to where the last change found the motion: what a wild value made of it since would stay. */
   #recover() {
     if (!this.failure) return;
@@ -319,6 +324,17 @@ export class Session {
     const then = this.#live.parameters;
     const set = Object.fromEntries(Object.entries(values).filter(([name, value]) => then[name] !== value));
     if (Object.keys(set).length > 0) this.#live.apply({ set });
+  }
+
+  /**
+   * Time goes by while a hand keeps the wheel where it is: the ground rolls on and drags the tire along.
+   * @param {number} angle ψ in rad @param {number} seconds
+   */
+  #advanceHeld(angle, seconds) {
+    for (let left = seconds; left > 0; left -= grip) {
+      this.#live.advance(Math.min(grip, left));
+      this.#live.apply({ state: held(angle) }, 'hold');
+    }
   }
 
   /** New axes and force scale where those in force no longer serve. The magnification stays as the run began. */
@@ -386,7 +402,7 @@ export class Session {
     for (const { torsionAngle, torsionRate, lateralDeformation } of [cycle, this.outlook.orbit]) {
       const stride = Math.max(1, Math.floor(torsionAngle.length / 60));
       for (let i = 0; i < torsionAngle.length; i += stride) {
-        const now = this.#engine.forces(run, Float64Array.of(torsionAngle[i], torsionRate[i], lateralDeformation[i]));
+        const now = this.#engine.forces(run.parameters, Float64Array.of(torsionAngle[i], torsionRate[i], lateralDeformation[i]));
         force = Math.max(force, Math.abs(now.sideForce));
         moment = Math.max(moment, Math.abs(now.aligningMoment));
       }
@@ -409,13 +425,15 @@ export class Session {
     if (!deed) return;
     if (direction === 'redo') this.#tried(() => this.#live.apply(deed.again));
     else if (deed.time >= this.#live.range[0] && deed.time <= this.time) {
-      this.#tried(() => this.#live.seek(deed.time));
-      this.#live.forgetAhead();
+      this.#tried(() => this.#live.takeBack(deed.time, deed.before));
       this.ghosts.goTo(this.time);
     }
     this.#isStale = true;
   }
 }
+
+/** A wheel in a hand, by name. @param {number} angle ψ in rad */
+const held = (angle) => ({ torsionAngle: angle, torsionRate: 0 });
 
 /** Stands for an outlook where the very first look ahead failed. @type {Outlook} */
 const nothingAhead = {
