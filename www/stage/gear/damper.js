@@ -77,21 +77,42 @@ function drawLever(ctx, sheet, radius, turn, theme, materials) {
  * @param {import('./theme.js').Theme} theme
  */
 function drawCylinder(ctx, sheet, radius, distance, piston, theme) {
+  const materials = materialsFor(theme);
   const length = CYLINDER * radius;
   const bore = BORE * radius;
-  ctx.beginPath();
-  ctx.roundRect(-length, -bore / 2, length, bore, 3 * sheet.line);
-  ctx.fillStyle = theme.surface;
-  ctx.fill();
-  ctx.fillStyle = theme.stable;
-  ctx.fillRect(-piston - 0.025 * radius, -bore / 2, 0.05 * radius, bore);
+  const round = ctx.createLinearGradient(0, -bore / 2, 0, bore / 2);
+  round.addColorStop(0, materials.metal);
+  round.addColorStop(0.35, theme.surface);
+  round.addColorStop(0.6, theme.surface);
+  round.addColorStop(1, materials.metal);
   ctx.strokeStyle = theme.ink;
-  ctx.lineWidth = 1.6 * sheet.line;
-  ctx.stroke();
-  ctx.lineWidth = 2.6 * sheet.line;
+  ctx.lineWidth = 2.8 * sheet.line;
   ctx.beginPath();
   ctx.moveTo(-distance, 0);
+  ctx.lineTo(-length, 0);
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.roundRect(-length, -bore / 2, length, bore, 3 * sheet.line);
+  ctx.fillStyle = round;
+  ctx.fill();
+  ctx.lineWidth = 2.2 * sheet.line;
+  ctx.beginPath();
+  ctx.moveTo(-length, 0);
   ctx.lineTo(-piston, 0);
+  ctx.stroke();
+  ctx.fillStyle = theme.stable;
+  ctx.fillRect(-piston - 0.035 * radius, -bore / 2, 0.07 * radius, bore);
+  ctx.lineWidth = 1.6 * sheet.line;
+  ctx.beginPath();
+  ctx.roundRect(-length, -bore / 2, length, bore, 3 * sheet.line);
+  ctx.stroke();
+  // The gland that the rod slides through.
+  const gland = 0.055 * radius;
+  ctx.beginPath();
+  ctx.roundRect(-length - gland / 2, -0.36 * bore, gland, 0.72 * bore, 0.25 * gland);
+  ctx.fillStyle = materials.metal;
+  ctx.fill();
+  ctx.lineWidth = 1.2 * sheet.line;
   ctx.stroke();
 }
 

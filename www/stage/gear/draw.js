@@ -14,15 +14,17 @@ import { drawGround } from './ground.js';
 import { drawHead, drawLeader } from './head.js';
 import { writeHeadLabels } from './head-labels.js';
 import { Placer } from './placer.js';
-import { poseNow, poseOf } from './pose.js';
+import { poseNow } from './pose.js';
 import { drawProtractor } from './protractor.js';
 import { sheetFor } from './sheet.js';
 import { drawSide } from './side.js';
 import { writeSideLabels } from './side-labels.js';
 import { drawString } from './string.js';
-import { drawTire, drawTrail, tireShape } from './tire.js';
+import { drawTire } from './tire.js';
+import { tireShape } from './tire-shape.js';
 import { blockMovingParts, writeTopLabels, writeTopNotes } from './top-labels.js';
 import { drawTrack } from './track.js';
+import { drawTrail } from './trail.js';
 
 export { sheetFor, trackLength } from './sheet.js';
 
@@ -74,7 +76,7 @@ function drawTop(desk) {
   ctx.clip();
   drawGround(ctx, sheet, scene, theme);
   drawTrack(ctx, sheet, trace, theme);
-  drawTrail(ctx, sheet, earlierShapes(scene), theme);
+  drawTrail(ctx, sheet, scene, theme);
   drawLeader(ctx, sheet, theme);
   drawTire(ctx, sheet, scene, pose, line, shape, theme);
   drawFork(ctx, sheet, pose, theme);
@@ -89,17 +91,4 @@ function drawTop(desk) {
   blockMovingParts(desk, shape, arrows);
   writeHeadLabels(desk);
   writeTopLabels(desk, arrows);
-}
-
-/**
- * Outlines of the trail's poses. The track under each has gone, so its contact is drawn straight.
- *
- * @param {Scene} scene
- */
-function earlierShapes(scene) {
-  return scene.trail.map(({ psi, y }) => {
-    const pose = poseOf(scene, psi, y);
-    const straight = { l: [pose.half, -pose.half], n: [pose.deformation, pose.deformation] };
-    return { pose, shape: tireShape(pose, straight) };
-  });
 }

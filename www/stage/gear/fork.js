@@ -14,9 +14,9 @@ import { translucent } from './theme.js';
 /** @typedef {import('./theme.js').Theme} Theme */
 
 /** From the wheel plane to the middle of an arm [m]. */
-const ARM = WHEEL_WIDTH / 2 + 0.028;
-const ARM_WIDTH = 0.032;
-const CROWN_RADIUS = 0.052;
+const ARM = WHEEL_WIDTH / 2 + 0.029;
+const ARM_WIDTH = 0.035;
+const CROWN_RADIUS = 0.057;
 
 /**
  * @param {CanvasRenderingContext2D} ctx
@@ -28,28 +28,42 @@ export function drawFork(ctx, sheet, pose, theme) {
   const materials = materialsFor(theme);
   inWheelFrame(ctx, sheet, pose, () => {
     drawAxle(ctx, sheet, pose, materials);
-    ctx.lineCap = 'round';
-    ctx.lineJoin = 'round';
-    for (const [width, color] of /** @type {const} */ ([
-      [ARM_WIDTH * sheet.scale + 2.4 * sheet.line, materials.metalEdge],
-      [ARM_WIDTH * sheet.scale, materials.metal],
-    ])) {
-      traceArms(ctx, sheet, pose);
-      ctx.strokeStyle = color;
-      ctx.lineWidth = width;
-      ctx.stroke();
-    }
-    ctx.save();
-    ctx.translate(-0.15 * ARM_WIDTH * sheet.scale, -0.22 * ARM_WIDTH * sheet.scale);
-    traceArms(ctx, sheet, pose);
-    ctx.strokeStyle = translucent(materials.metalLit, 0.85);
-    ctx.lineWidth = 0.26 * ARM_WIDTH * sheet.scale;
-    ctx.stroke();
-    ctx.restore();
-    ctx.lineCap = 'butt';
+    drawArms(ctx, sheet, pose, materials);
     drawNuts(ctx, sheet, pose, materials);
     drawCrown(ctx, sheet, materials);
   });
+}
+
+/**
+ * Round bars: from back to front the shadow on the tire, the outline, the metal, its shaded and its
+ * lit side. Shifts and widths are shares of the bar's width.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Pose} pose
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawArms(ctx, sheet, pose, materials) {
+  const bar = ARM_WIDTH * sheet.scale;
+  const outline = (2.4 * sheet.line) / bar;
+  ctx.lineCap = 'round';
+  ctx.lineJoin = 'round';
+  for (const [right, down, width, color] of /** @type {const} */ ([
+    [0.2, 0.5, 1.15, translucent(materials.shadow, 0.22)],
+    [0, 0, 1 + outline, materials.metalEdge],
+    [0, 0, 1, materials.metalShade],
+    [-0.06, -0.1, 0.78, materials.metal],
+    [-0.14, -0.22, 0.28, materials.metalLit],
+  ])) {
+    ctx.save();
+    ctx.translate(right * bar, down * bar);
+    traceArms(ctx, sheet, pose);
+    ctx.strokeStyle = color;
+    ctx.lineWidth = width * bar;
+    ctx.stroke();
+    ctx.restore();
+  }
+  ctx.lineCap = 'butt';
 }
 
 /**
@@ -78,12 +92,19 @@ function traceArms(ctx, sheet, pose) {
  */
 function drawAxle(ctx, sheet, pose, materials) {
   const half = ARM * sheet.scale;
-  const width = 0.024 * sheet.scale;
-  ctx.fillStyle = translucent(materials.metal, 0.42);
-  ctx.fillRect(-pose.caster * sheet.scale - width / 2, -half, width, 2 * half);
+  const width = 0.026 * sheet.scale;
+  ctx.beginPath();
+  ctx.rect(-pose.caster * sheet.scale - width / 2, -half, width, 2 * half);
+  ctx.fillStyle = translucent(materials.metal, 0.38);
+  ctx.fill();
+  ctx.strokeStyle = translucent(materials.metalLit, 0.5);
+  ctx.lineWidth = sheet.line;
+  ctx.stroke();
 }
 
 /**
+ * Nuts at the axle's ends, each with the edges of its six sides.
+ *
  * @param {CanvasRenderingContext2D} ctx
  * @param {Sheet} sheet
  * @param {Pose} pose
@@ -92,14 +113,26 @@ function drawAxle(ctx, sheet, pose, materials) {
 function drawNuts(ctx, sheet, pose, materials) {
   const length = 0.056 * sheet.scale;
   const width = 0.03 * sheet.scale;
-  ctx.fillStyle = materials.metal;
+  const x = -pose.caster * sheet.scale;
+  const shine = ctx.createLinearGradient(x - length / 2, 0, x + length / 2, 0);
+  shine.addColorStop(0, materials.metal);
+  shine.addColorStop(0.4, materials.metalLit);
+  shine.addColorStop(1, materials.metalShade);
+  ctx.fillStyle = shine;
   ctx.strokeStyle = materials.metalEdge;
-  ctx.lineWidth = 1.2 * sheet.line;
   for (const side of [-1, 1]) {
-    const middle = side * (ARM + 0.5 * ARM_WIDTH) * sheet.scale;
+    const middle = side * (ARM + 0.56 * ARM_WIDTH) * sheet.scale;
+    ctx.lineWidth = 1.2 * sheet.line;
     ctx.beginPath();
-    ctx.roundRect(-pose.caster * sheet.scale - length / 2, middle - width / 2, length, width, 3);
+    ctx.roundRect(x - length / 2, middle - width / 2, length, width, 0.2 * width);
     ctx.fill();
+    ctx.stroke();
+    ctx.lineWidth = 0.7 * sheet.line;
+    ctx.beginPath();
+    for (const edge of [-0.25, 0.25]) {
+      ctx.moveTo(x + edge * length, middle - width / 2);
+      ctx.lineTo(x + edge * length, middle + width / 2);
+    }
     ctx.stroke();
   }
 }
@@ -113,7 +146,8 @@ function drawCrown(ctx, sheet, materials) {
   const radius = CROWN_RADIUS * sheet.scale;
   const shine = ctx.createRadialGradient(-0.35 * radius, -0.4 * radius, 0, 0, 0, 1.1 * radius);
   shine.addColorStop(0, materials.metalLit);
-  shine.addColorStop(1, materials.metal);
+  shine.addColorStop(0.75, materials.metal);
+  shine.addColorStop(1, materials.metalShade);
   ctx.beginPath();
   ctx.arc(0, 0, radius, 0, 2 * Math.PI);
   ctx.fillStyle = shine;
@@ -132,7 +166,7 @@ function drawCrown(ctx, sheet, materials) {
  */
 export function drawSteeringAxis(ctx, sheet, theme) {
   const { x, y } = sheet.axis;
-  const radius = 0.036 * sheet.scale;
+  const radius = 0.035 * sheet.scale;
   const arm = 0.62 * radius;
   ctx.beginPath();
   ctx.arc(x, y, radius, 0, 2 * Math.PI);

@@ -7,7 +7,7 @@
 import { contactLine, traceBehind } from './contact-line.js';
 import { onSheet, poseNow } from './pose.js';
 import { sheetFor } from './sheet.js';
-import { tireShape } from './tire.js';
+import { tireShape } from './tire-shape.js';
 
 /**
  * The tire's outline on the canvas and the axis it turns about [px].

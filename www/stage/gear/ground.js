@@ -9,7 +9,9 @@ import { translucent } from './theme.js';
 /** The pattern repeats after this many meters, more than any sheet shows. */
 const PERIOD = 8;
 const JOINT_SPACING = 1;
-const SPECKLES = 700;
+const SPECKLES = 1000;
+/** Of so many speckles one is a larger stone. */
+const STONES = 4;
 /** The shortest streak [m], that of a runway at rest. */
 const SHORTEST = 0.012;
 
@@ -57,12 +59,17 @@ function drawSpeckles(ctx, sheet, scene, theme) {
   const exposure = Math.min(0.6, Math.max(0, scene.exposure));
   const visible = sheet.width / sheet.scale;
   const inset = 4;
+  const strength = 1 / (1 + 6 * exposure);
   ctx.lineCap = 'round';
-  ctx.strokeStyle = translucent(theme.ghost, 0.26 / (1 + 6 * exposure));
-  for (let layer = 0; layer < 2; layer++) {
-    ctx.lineWidth = (layer === 0 ? 1 : 1.8) * sheet.line;
+  for (const [stones, width, color] of /** @type {const} */ ([
+    [false, 1.1, translucent(theme.rule, strength)],
+    [true, 1.5, translucent(theme.ghost, 0.27 * strength)],
+  ])) {
+    ctx.strokeStyle = color;
+    ctx.lineWidth = width * sheet.line;
     ctx.beginPath();
-    for (let i = layer; i < SPECKLES; i += 2) {
+    for (let i = 0; i < SPECKLES; i++) {
+      if ((i % STONES === 0) !== stones) continue;
       const x = wrap(speckles[3 * i] - scene.roll, PERIOD);
       const length = SHORTEST + speckles[3 * i + 2] + exposure;
       if (x - length > visible) continue;

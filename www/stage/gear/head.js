@@ -86,8 +86,11 @@ export function drawHead(ctx, sheet, scene, theme) {
   ctx.restore();
 }
 
+/** Where the leader meets the detail: low on its near side, out of the pointer's way. */
+const LEADER_END = 250 * DEGREE;
+
 /**
- * A thin dashed line from the steering axis to the detail.
+ * A thin dotted line from the steering axis to the detail.
  *
  * @param {CanvasRenderingContext2D} ctx
  * @param {Sheet} sheet
@@ -95,12 +98,12 @@ export function drawHead(ctx, sheet, scene, theme) {
  */
 export function drawLeader(ctx, sheet, theme) {
   const { axis, head } = sheet;
-  ctx.strokeStyle = theme.ink2;
+  ctx.strokeStyle = theme.ghost;
   ctx.lineWidth = sheet.line;
-  ctx.setLineDash([4, 4]);
+  ctx.setLineDash([2, 4]);
   ctx.beginPath();
   ctx.moveTo(axis.x, axis.y);
-  ctx.lineTo(head.x, head.y);
+  ctx.lineTo(head.x + head.radius * Math.cos(LEADER_END), head.y - head.radius * Math.sin(LEADER_END));
   ctx.stroke();
   ctx.setLineDash([]);
 }
@@ -113,9 +116,17 @@ export function drawLeader(ctx, sheet, theme) {
  */
 function drawHousing(ctx, sheet, radius, theme) {
   const inner = HOUSING * radius;
+  const well = ctx.createRadialGradient(0, 0, 0.5 * inner, 0, 0, inner);
+  well.addColorStop(0, theme.surface);
+  well.addColorStop(0.75, theme.surface);
+  well.addColorStop(1, theme.raised);
   ctx.beginPath();
   ctx.arc(0, 0, radius, 0, 2 * Math.PI);
   ctx.fillStyle = theme.surface;
+  ctx.fill();
+  ctx.beginPath();
+  ctx.arc(0, 0, inner, 0, 2 * Math.PI);
+  ctx.fillStyle = well;
   ctx.fill();
 
   const strokes = Math.round(radius * 0.82);
@@ -156,8 +167,7 @@ function drawSpring(ctx, sheet, radius, collar, wound, theme) {
   const steps = 168;
   const outer = SPRING_OUTER * radius;
   const inner = SPRING_INNER * radius;
-  ctx.strokeStyle = theme.psi;
-  ctx.lineWidth = Math.min((wound ? 2.6 : 1.8) * sheet.line, 0.036 * radius);
+  const width = Math.min((wound ? 3.2 : 2.2) * sheet.line, 0.042 * radius);
   ctx.lineJoin = 'round';
   ctx.lineCap = 'round';
   ctx.beginPath();
@@ -169,6 +179,12 @@ function drawSpring(ctx, sheet, radius, collar, wound, theme) {
     ctx.lineTo(r * Math.cos(angle), -r * Math.sin(angle));
   }
   ctx.lineTo(-COLLAR * radius * Math.cos(collar), COLLAR * radius * Math.sin(collar));
+  ctx.strokeStyle = theme.psi;
+  ctx.lineWidth = width;
+  ctx.stroke();
+  // The light along the steel strip.
+  ctx.strokeStyle = translucent(theme.surface, 0.5);
+  ctx.lineWidth = 0.3 * width;
   ctx.stroke();
   ctx.lineCap = 'butt';
 }
@@ -266,7 +282,13 @@ function drawTube(ctx, sheet, radius, pose, theme) {
   ctx.lineTo(TIP * radius * Math.cos(middle - TOOTH), TIP * radius * Math.sin(middle - TOOTH));
   ctx.arc(0, 0, TIP * radius, middle - TOOTH, middle + TOOTH);
   ctx.closePath();
+  const shine = ctx.createRadialGradient(-0.1 * radius, -0.12 * radius, 0, 0, 0, TIP * radius);
+  shine.addColorStop(0, theme.surface);
+  shine.addColorStop(0.5, theme.surface);
+  shine.addColorStop(1, translucent(theme.psi, 0.25));
   ctx.fillStyle = theme.surface;
+  ctx.fill();
+  ctx.fillStyle = shine;
   ctx.fill();
   ctx.strokeStyle = theme.psi;
   ctx.lineWidth = 2.4 * sheet.line;

@@ -5,6 +5,7 @@
  * @typedef {object} Materials
  * @property {string} rubber
  * @property {string} rubberLit where the tread faces the sky
+ * @property {string} rubberShine edges that catch the light
  * @property {string} rubberEdge outline, against the ground
  * @property {string} groove
  * @property {string} metal
@@ -19,8 +20,9 @@
 /** @type {Readonly<Record<'light' | 'dark', Materials>>} */
 const MATERIALS = {
   light: {
-    rubber: '#2A3138',
-    rubberLit: '#4A535D',
+    rubber: '#262C33',
+    rubberLit: '#56606B',
+    rubberShine: '#7E8995',
     rubberEdge: '#1B2127',
     groove: '#20262C',
     metal: '#C3CBD3',
@@ -32,8 +34,9 @@ const MATERIALS = {
     mark: '#4A5058',
   },
   dark: {
-    rubber: '#06090C',
-    rubberLit: '#242C35',
+    rubber: '#06080B',
+    rubberLit: '#343E49',
+    rubberShine: '#65727F',
     rubberEdge: '#7C8996',
     groove: '#000000',
     metal: '#5B6875',

@@ -6,6 +6,7 @@
 
 import { WHEEL_WIDTH } from './sheet.js';
 import { translucent } from './theme.js';
+import { SIPES, sipesSeen } from './tread.js';
 
 /** @typedef {import('./side.js').SideFrame} SideFrame */
 
@@ -44,6 +45,9 @@ export function drawRollingWheel(ctx, sheet, frame, scene, pose, theme, material
   ctx.fillStyle = materials.rubber;
   ctx.strokeStyle = materials.rubberEdge;
   ctx.lineWidth = 1.6 * sheet.line;
+  traceBulge(ctx, frame, pose, x, narrow, Math.abs(depth));
+  ctx.fill();
+  ctx.stroke();
   traceTread(ctx, x, y, radius, narrow, depth);
   ctx.fill();
   ctx.stroke();
@@ -51,6 +55,7 @@ export function drawRollingWheel(ctx, sheet, frame, scene, pose, theme, material
   ctx.translate(x + depth, y);
   ctx.scale(narrow, 1);
   drawSidewall(ctx, sheet, radius, materials);
+  drawShoulder(ctx, sheet, radius, scene, pose, materials);
   drawDisc(ctx, sheet, radius, materials);
   drawHoles(ctx, sheet, radius, scene, pose, theme, materials);
   ctx.restore();
@@ -77,6 +82,35 @@ function traceTread(ctx, x, y, radius, narrow, depth) {
 }
 
 /**
+ * Where the tire is pressed flat its walls swell, beside the contact.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {SideFrame} frame
+ * @param {import('./pose.js').Pose} pose
+ * @param {number} x
+ * @param {number} narrow
+ * @param {number} depth
+ */
+function traceBulge(ctx, frame, pose, x, narrow, depth) {
+  const { ground, scale } = frame;
+  const chord = Math.sqrt(pose.radius ** 2 - frame.axle ** 2);
+  const rise = 0.3 * pose.radius;
+  const start = Math.sqrt(pose.radius ** 2 - (frame.axle - rise) ** 2);
+  const swell = chord + 0.022;
+  ctx.beginPath();
+  for (const side of [-1, 1]) {
+    const at = (/** @type {number} */ l) => x + side * (l * narrow * scale + depth);
+    ctx.moveTo(at(start - 0.006), ground - rise * scale);
+    ctx.bezierCurveTo(
+      at(swell + 0.3 * (start - swell)), ground - 0.45 * rise * scale,
+      at(swell + 0.012), ground - 0.12 * rise * scale,
+      at(swell - 0.012), ground,
+    );
+    ctx.lineTo(at(0), ground);
+  }
+}
+
+/**
  * @param {CanvasRenderingContext2D} ctx
  * @param {import('./sheet.js').Sheet} sheet
  * @param {number} radius
@@ -99,6 +133,42 @@ function drawSidewall(ctx, sheet, radius, materials) {
     ctx.arc(0, 0, share * radius, 0, 2 * Math.PI);
     ctx.stroke();
   }
+  // The sky on the wall's roundest part, soft at its ends.
+  ctx.lineCap = 'round';
+  ctx.strokeStyle = translucent(materials.rubberShine, 0.24);
+  for (const [width, reach] of [[0.1, 0.17], [0.07, 0.24], [0.035, 0.31]]) {
+    ctx.lineWidth = width * radius;
+    ctx.beginPath();
+    ctx.arc(0, 0, 0.81 * radius, (1.34 - reach) * Math.PI, (1.34 + reach) * Math.PI);
+    ctx.stroke();
+  }
+  ctx.lineCap = 'butt';
+}
+
+/**
+ * The ends of the tread's sipes, turning with the wheel.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {number} radius
+ * @param {import('./scene.js').Scene} scene
+ * @param {import('./pose.js').Pose} pose
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawShoulder(ctx, sheet, radius, scene, pose, materials) {
+  const seen = sipesSeen(scene, pose);
+  if (seen === 0) return;
+  const spacing = (2 * Math.PI) / SIPES;
+  const turned = (scene.roll / pose.radius) % spacing;
+  ctx.strokeStyle = translucent(materials.groove, seen);
+  ctx.lineWidth = 1.6 * sheet.line;
+  ctx.beginPath();
+  for (let i = 0; i < SIPES; i++) {
+    const angle = turned + i * spacing;
+    ctx.moveTo(0.925 * radius * Math.cos(angle), 0.925 * radius * Math.sin(angle));
+    ctx.lineTo(0.99 * radius * Math.cos(angle), 0.99 * radius * Math.sin(angle));
+  }
+  ctx.stroke();
 }
 
 /**
@@ -120,14 +190,23 @@ function drawDisc(ctx, sheet, radius, materials) {
   ctx.strokeStyle = materials.metalEdge;
   ctx.lineWidth = 1.6 * sheet.line;
   ctx.stroke();
-  ctx.beginPath();
-  ctx.arc(0, 0, 0.88 * rim, 0, 2 * Math.PI);
-  ctx.strokeStyle = translucent(materials.metalShade, 0.9);
+  // The rim's flange: a lit lip outside, a shaded step inside.
   ctx.lineWidth = 1.2 * sheet.line;
-  ctx.stroke();
+  for (const [share, color] of /** @type {const} */ ([
+    [0.95, translucent(materials.metalLit, 0.9)],
+    [0.87, translucent(materials.metalShade, 0.9)],
+  ])) {
+    ctx.beginPath();
+    ctx.arc(0, 0, share * rim, 0, 2 * Math.PI);
+    ctx.strokeStyle = color;
+    ctx.stroke();
+  }
+  const hub = ctx.createRadialGradient(-0.4 * BOSS * radius, -0.5 * BOSS * radius, 0, 0, 0, BOSS * radius);
+  hub.addColorStop(0, materials.metal);
+  hub.addColorStop(1, materials.metalShade);
   ctx.beginPath();
   ctx.arc(0, 0, BOSS * radius, 0, 2 * Math.PI);
-  ctx.fillStyle = materials.metalShade;
+  ctx.fillStyle = hub;
   ctx.fill();
   ctx.strokeStyle = materials.metalEdge;
   ctx.stroke();

@@ -135,13 +135,14 @@ function drawShadow(ctx, frame, pose, color) {
  */
 function drawAxes(ctx, sheet, frame, theme) {
   const axle = frame.x + frame.center * frame.scale;
-  for (const [color, extra, dash] of /** @type {const} */ ([
-    [translucent(theme.surface, 0.55), 2.6, []],
-    [theme.ink, 0, [11, 4, 2, 4]],
+  // A halo round each dash keeps the axis legible on rubber.
+  for (const [color, extra] of /** @type {const} */ ([
+    [translucent(theme.surface, 0.75), 2.4],
+    [theme.ink, 0],
   ])) {
     ctx.strokeStyle = color;
-    ctx.lineWidth = 1.4 * sheet.line + extra;
-    ctx.setLineDash([...dash]);
+    ctx.lineWidth = 1.5 * sheet.line + extra;
+    ctx.setLineDash([11, 4, 2, 4]);
     ctx.beginPath();
     ctx.moveTo(frame.x, frame.top);
     ctx.lineTo(frame.x, frame.ground + 20);

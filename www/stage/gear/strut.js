@@ -40,6 +40,7 @@ export function drawStrut(ctx, sheet, frame, pose, theme, materials) {
   ctx.lineWidth = 1.6 * sheet.line;
   drawTube(ctx, frame, up(cylinder), up(shoulder), materials);
   drawCylinder(ctx, sheet, frame, up(top), up(cylinder), theme, materials);
+  drawRing(ctx, sheet, frame.x, 1.12 * CYLINDER * scale, up(cylinder), 0.012 * scale, theme, materials);
   drawArm(ctx, sheet, frame, pose, up(shoulder), up(frame.axle), theme, materials);
   drawLinks(ctx, sheet, frame, pose, up(cylinder + 0.014), up(shoulder - 0.022), theme, materials);
 }
@@ -191,11 +192,56 @@ function drawArm(ctx, sheet, frame, pose, top, axle, theme, materials) {
   ctx.strokeStyle = theme.ink;
   ctx.lineWidth = 1.8 * sheet.line;
   ctx.stroke();
+  drawRing(ctx, sheet, x, 1.04 * body, top, 0.014 * scale, theme, materials);
+  drawAxleEnd(ctx, sheet, end, axle, HUB * scale, theme, materials);
+}
 
+/**
+ * A flat ring round the leg, as gland nuts and collars are.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {number} middle
+ * @param {number} half
+ * @param {number} top
+ * @param {number} height
+ * @param {Theme} theme
+ * @param {Materials} materials
+ */
+function drawRing(ctx, sheet, middle, half, top, height, theme, materials) {
   ctx.beginPath();
-  ctx.arc(end, axle, HUB * scale, 0, 2 * Math.PI);
-  ctx.fillStyle = theme.surface;
+  ctx.roundRect(middle - half, top - height / 2, 2 * half, height, 0.3 * height);
+  ctx.fillStyle = roundMetal(ctx, middle, half, materials);
   ctx.fill();
+  ctx.strokeStyle = theme.ink;
+  ctx.lineWidth = 1.4 * sheet.line;
+  ctx.stroke();
+}
+
+/**
+ * The axle's end in the arm: a washer and the pin in it.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {number} x
+ * @param {number} y
+ * @param {number} radius
+ * @param {Theme} theme
+ * @param {Materials} materials
+ */
+function drawAxleEnd(ctx, sheet, x, y, radius, theme, materials) {
+  const shine = ctx.createRadialGradient(x - 0.4 * radius, y - 0.4 * radius, 0, x, y, radius);
+  shine.addColorStop(0, materials.chrome);
+  shine.addColorStop(1, materials.metal);
+  ctx.beginPath();
+  ctx.arc(x, y, radius, 0, 2 * Math.PI);
+  ctx.fillStyle = shine;
+  ctx.fill();
+  ctx.strokeStyle = theme.ink;
   ctx.lineWidth = 2 * sheet.line;
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.arc(x, y, 0.42 * radius, 0, 2 * Math.PI);
+  ctx.lineWidth = 1.2 * sheet.line;
   ctx.stroke();
 }

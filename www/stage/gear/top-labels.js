@@ -14,7 +14,7 @@ import { WHEEL_WIDTH } from './sheet.js';
 import { plain, strong, subscript, symbol, widthOf } from './text.js';
 
 /** @typedef {import('./desk.js').Desk} Desk */
-/** @typedef {import('./tire.js').TireShape} TireShape */
+/** @typedef {import('./tire-shape.js').TireShape} TireShape */
 /** @typedef {import('./forces.js').ForceArrows} ForceArrows */
 
 const DEGREES = 180 / Math.PI;
