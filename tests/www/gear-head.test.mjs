@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { DRAWN_GAP, headPose } from '../../www/stage/gear/head.js';
+import { DRAWN_GAP, headPose } from '../../www/stage/gear/head-pose.js';
 import { DEGREE, record, sceneOf, theme } from './gear-scene.mjs';
 
 const freeplayAngle = DEGREE;

@@ -20,10 +20,9 @@ const PISTON_MARGIN = 0.07;
  * @param {import('./sheet.js').Sheet} sheet
  * @param {number} radius of the steering head [px]
  * @param {number} turn of the tube as drawn, counter-clockwise [rad]
- * @param {number} damping the constant; without one the damper is but a shadow
  * @param {import('./theme.js').Theme} theme
  */
-export function drawDamper(ctx, sheet, radius, turn, damping, theme) {
+export function drawDamper(ctx, sheet, radius, turn, theme) {
   const materials = materialsFor(theme);
   const pin = { x: -LEVER * radius * Math.sin(turn), y: -LEVER * radius * Math.cos(turn) };
   const eye = { x: EYE.x * radius, y: -EYE.y * radius };
@@ -32,7 +31,6 @@ export function drawDamper(ctx, sheet, radius, turn, damping, theme) {
   const free = PISTON_AT_REST * radius + distance - rest;
   const piston = Math.min((CYLINDER - PISTON_MARGIN) * radius, Math.max(PISTON_MARGIN * radius, free));
 
-  ctx.globalAlpha = damping > 0 ? 1 : 0.35;
   drawLever(ctx, sheet, radius, turn, theme, materials);
   ctx.save();
   ctx.translate(eye.x, eye.y);
@@ -41,7 +39,6 @@ export function drawDamper(ctx, sheet, radius, turn, damping, theme) {
   ctx.restore();
   drawPin(ctx, sheet, pin, theme);
   drawPin(ctx, sheet, eye, theme);
-  ctx.globalAlpha = 1;
 }
 
 /**

@@ -21,7 +21,7 @@ import { widthOf, write } from './text.js';
 /** @typedef {import('./placer.js').Box} Box */
 
 /** Height of a label's box as a multiple of its type. */
-const LEADING = 1.3;
+export const LEADING = 1.3;
 
 /**
  * Writes a label where there is room for it; null where there is none.

@@ -8,21 +8,26 @@
  */
 
 import { contactLine, traceBehind } from './contact-line.js';
+import { bladesOf, drawPlaneFan, drawTrackFan, drawWheelFan, swingOf } from './fan.js';
 import { forceArrows, drawForces } from './forces.js';
 import { drawFork, drawSteeringAxis } from './fork.js';
+import { drawGhosts } from './ghost.js';
 import { drawGround } from './ground.js';
+import { drawHand } from './hand.js';
 import { drawHead, drawLeader } from './head.js';
 import { writeHeadLabels } from './head-labels.js';
+import { blockFan, blockMovingParts } from './obstacles.js';
 import { Placer } from './placer.js';
-import { poseNow } from './pose.js';
-import { drawProtractor } from './protractor.js';
+import { drawnAngle, poseNow, poseOf } from './pose.js';
+import { drawExtremes, drawPointer, drawScale, drawSweep } from './protractor.js';
 import { sheetFor } from './sheet.js';
 import { drawSide } from './side.js';
 import { writeSideLabels } from './side-labels.js';
 import { drawString } from './string.js';
 import { drawTire } from './tire.js';
 import { tireShape } from './tire-shape.js';
-import { blockMovingParts, writeTopLabels, writeTopNotes } from './top-labels.js';
+import { writeSwing, writeTopLabels } from './top-labels.js';
+import { writeTopNotes } from './top-notes.js';
 import { drawTrack } from './track.js';
 import { drawTrail } from './trail.js';
 
@@ -31,7 +36,7 @@ export { sheetFor, trackLength } from './sheet.js';
 /** @typedef {import('./scene.js').Scene} Scene */
 /** @typedef {import('./scene.js').Size} Size */
 /** @typedef {import('./scene.js').GearWords} GearWords */
-/** @typedef {import('./sheet.js').Sheet} Sheet */
+/** @typedef {import('./desk.js').Desk} Desk */
 /** @typedef {import('./theme.js').Theme} Theme */
 
 /**
@@ -46,7 +51,8 @@ export { sheetFor, trackLength } from './sheet.js';
  */
 export function drawGear(ctx, size, scene, theme, words) {
   const sheet = sheetFor(size, scene);
-  const pose = poseNow(scene);
+  const isFan = Boolean(scene.fan?.length);
+  const pose = isFan ? poseOf(scene, 0, 0) : poseNow(scene);
   const placer = new Placer({
     x: 6,
     y: sheet.band.top + 2,
@@ -59,36 +65,74 @@ export function drawGear(ctx, size, scene, theme, words) {
   ctx.fillRect(0, 0, size.width, size.height);
   drawSide(ctx, sheet, scene, pose, theme);
   writeSideLabels(desk);
-  drawTop(desk);
+  if (isFan) drawTopFan(desk);
+  else drawTop(desk);
 }
 
-/** @param {import('./desk.js').Desk} desk */
+/** How much of the track the sheet shows behind the axis [m]. @param {Desk} desk */
+const trackSeen = ({ sheet, pose }) => 1.1 * (sheet.axis.x / sheet.scale + pose.half);
+
+/** @param {Desk} desk */
 function drawTop(desk) {
   const { ctx, sheet, scene, pose, theme, words } = desk;
-  const trace = traceBehind(scene, pose, 1.1 * (sheet.axis.x / sheet.scale + pose.half));
+  const trace = traceBehind(scene, pose, trackSeen(desk));
   const line = contactLine(trace, pose);
   const shape = tireShape(pose, line);
   const arrows = forceArrows(sheet, scene, pose, line);
 
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(0, sheet.band.top, sheet.width, sheet.band.bottom - sheet.band.top);
-  ctx.clip();
-  drawGround(ctx, sheet, scene, theme);
-  drawTrack(ctx, sheet, trace, theme);
-  drawTrail(ctx, sheet, scene, theme);
-  drawLeader(ctx, sheet, theme);
-  drawTire(ctx, sheet, scene, pose, line, shape, theme);
-  drawFork(ctx, sheet, pose, theme);
-  drawProtractor(ctx, sheet, scene, pose, theme, words);
-  drawSteeringAxis(ctx, sheet, theme);
-  drawString(ctx, sheet, pose, line, theme);
-  drawForces(ctx, sheet, arrows, theme);
-  ctx.restore();
-
+  onTheGround(desk, () => {
+    drawTrack(ctx, sheet, trace, theme);
+    drawGhosts(ctx, sheet, scene, trackSeen(desk), theme);
+    drawTrail(ctx, sheet, scene, theme);
+    drawLeader(ctx, sheet, theme);
+    drawHand(ctx, sheet, scene, pose, shape, theme);
+    drawTire(ctx, sheet, scene, pose, line, shape, theme);
+    drawFork(ctx, sheet, pose, theme);
+    drawScale(ctx, sheet, scene, theme, words);
+    drawSweep(ctx, sheet, 0, pose.angle, theme);
+    drawPointer(ctx, sheet, pose, theme);
+    drawExtremes(ctx, sheet, scene, theme);
+    drawSteeringAxis(ctx, sheet, theme);
+    drawString(ctx, sheet, pose, line, theme);
+    drawForces(ctx, sheet, arrows, theme);
+  });
   drawHead(ctx, sheet, scene, theme);
   writeTopNotes(desk);
   blockMovingParts(desk, shape, arrows);
   writeHeadLabels(desk);
   writeTopLabels(desk, arrows);
+}
+
+/** The top view where single poses would lie. @param {Desk} desk */
+function drawTopFan(desk) {
+  const { ctx, sheet, scene, theme, words } = desk;
+  const blades = bladesOf(scene, trackSeen(desk));
+  const { low, high } = swingOf(scene);
+
+  onTheGround(desk, () => {
+    drawTrackFan(ctx, sheet, blades, theme);
+    drawLeader(ctx, sheet, theme);
+    drawWheelFan(ctx, sheet, blades, theme);
+    drawScale(ctx, sheet, scene, theme, words);
+    drawSweep(ctx, sheet, drawnAngle(scene, low), drawnAngle(scene, high), theme);
+    drawPlaneFan(ctx, sheet, blades, theme);
+    drawExtremes(ctx, sheet, scene, theme);
+    drawSteeringAxis(ctx, sheet, theme);
+  });
+  drawHead(ctx, sheet, scene, theme);
+  writeTopNotes(desk);
+  blockFan(desk, blades);
+  writeHeadLabels(desk);
+  writeSwing(desk);
+}
+
+/** Draws on the ground band and nowhere else. @param {Desk} desk @param {() => void} draw */
+function onTheGround({ ctx, sheet, scene, theme }, draw) {
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(0, sheet.band.top, sheet.width, sheet.band.bottom - sheet.band.top);
+  ctx.clip();
+  drawGround(ctx, sheet, scene, theme);
+  draw();
+  ctx.restore();
 }

@@ -14,8 +14,11 @@ import { onSheet, within } from './pose.js';
 /** @typedef {import('./scene.js').Scene} Scene */
 /** @typedef {import('./theme.js').Theme} Theme */
 
-/** The longest arrow as a share of the band's half height, and the longest arc [rad]. */
-const LONGEST_ARROW = 1.02;
+/**
+ * From the band's edge to the tip of the longest arrow [m]: so far does the contact swing aside, and
+ * the arrow must end on the band. And the longest arc [rad].
+ */
+const ROOM_TO_SWING = 0.03;
 const LONGEST_ARC = 1.05;
 /** The arc's distance behind the contact center, beyond the wheel's radius [m]. */
 const ARC_CLEARANCE = 0.05;
@@ -37,7 +40,7 @@ const ARC_CLEARANCE = 0.05;
 export function forceArrows(sheet, scene, pose, line) {
   const { sideForce, aligningMoment } = scene.forces;
   const { force, moment } = scene.forceScale;
-  const longest = (LONGEST_ARROW * (sheet.band.bottom - sheet.band.top)) / 2;
+  const longest = (sheet.band.bottom - sheet.band.top) / 2 - ROOM_TO_SWING * sheet.scale;
   const length = longest * share(sideForce, force);
   const bend = bendAt(line, pose, 0);
   const from = onSheet(sheet, pose, 0, bend);
@@ -55,9 +58,9 @@ export function forceArrows(sheet, scene, pose, line) {
   };
 }
 
-/** A value as a share of its full scale, −1.25 … 1.25. @param {number} value @param {number} full */
+/** A value as a share of its full scale, −1.1 … 1.1. @param {number} value @param {number} full */
 function share(value, full) {
-  return full > 0 ? within(value / full, 1.25) : 0;
+  return full > 0 ? within(value / full, 1.1) : 0;
 }
 
 /**

@@ -15,7 +15,7 @@ import { translucent } from './theme.js';
 
 /** From the wheel plane to the middle of an arm [m]. */
 const ARM = WHEEL_WIDTH / 2 + 0.029;
-const ARM_WIDTH = 0.035;
+export const ARM_WIDTH = 0.035;
 const CROWN_RADIUS = 0.057;
 
 /**
@@ -73,7 +73,7 @@ function drawArms(ctx, sheet, pose, materials) {
  * @param {Sheet} sheet
  * @param {Pose} pose
  */
-function traceArms(ctx, sheet, pose) {
+export function traceArms(ctx, sheet, pose) {
   const axle = -pose.caster * sheet.scale;
   const arm = ARM * sheet.scale;
   ctx.beginPath();
@@ -142,7 +142,7 @@ function drawNuts(ctx, sheet, pose, materials) {
  * @param {Sheet} sheet
  * @param {import('./materials.js').Materials} materials
  */
-function drawCrown(ctx, sheet, materials) {
+export function drawCrown(ctx, sheet, materials) {
   const radius = CROWN_RADIUS * sheet.scale;
   const shine = ctx.createRadialGradient(-0.35 * radius, -0.4 * radius, 0, 0, 0, 1.1 * radius);
   shine.addColorStop(0, materials.metalLit);

@@ -6,7 +6,7 @@
 
 import { decimalsOf, formatNumber } from '../../words/number.js';
 import { putLabel, fill } from './desk.js';
-import { DRAWN_GAP } from './head.js';
+import { DRAWN_GAP } from './head-pose.js';
 import { protractorBox } from './protractor.js';
 import { plain, strong, widthOf, write } from './text.js';
 

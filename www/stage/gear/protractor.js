@@ -52,28 +52,15 @@ export function protractorBox(sheet) {
 }
 
 /**
- * @param {CanvasRenderingContext2D} ctx
- * @param {Sheet} sheet
- * @param {Scene} scene
- * @param {Pose} pose
- * @param {Theme} theme
- * @param {import('./scene.js').GearWords} words
- */
-export function drawProtractor(ctx, sheet, scene, pose, theme, words) {
-  drawScale(ctx, sheet, scene, theme, words);
-  drawWedge(ctx, sheet, pose, theme);
-  drawWheelPlane(ctx, sheet, pose, theme);
-  drawExtremes(ctx, sheet, scene, theme);
-}
-
-/**
+ * The arc with its ticks and numbers.
+ *
  * @param {CanvasRenderingContext2D} ctx
  * @param {Sheet} sheet
  * @param {Scene} scene
  * @param {Theme} theme
  * @param {import('./scene.js').GearWords} words
  */
-function drawScale(ctx, sheet, scene, theme, words) {
+export function drawScale(ctx, sheet, scene, theme, words) {
   const { x, y } = sheet.axis;
   const radius = sheet.protractor;
   ctx.strokeStyle = theme.ink2;
@@ -103,36 +90,39 @@ function drawScale(ctx, sheet, scene, theme, words) {
 }
 
 /**
+ * The wedge from one drawn angle to another, 0 … ψ.
+ *
  * @param {CanvasRenderingContext2D} ctx
  * @param {Sheet} sheet
- * @param {Pose} pose
+ * @param {number} from
+ * @param {number} to
  * @param {Theme} theme
  */
-function drawWedge(ctx, sheet, pose, theme) {
+export function drawSweep(ctx, sheet, from, to, theme) {
   const { x, y } = sheet.axis;
   const radius = WEDGE * sheet.protractor;
   ctx.beginPath();
   ctx.moveTo(x, y);
-  ctx.arc(x, y, radius, 0, -pose.angle, pose.angle > 0);
+  ctx.arc(x, y, radius, -from, -to, to > from);
   ctx.closePath();
   ctx.fillStyle = translucent(theme.psi, 0.13);
   ctx.fill();
   ctx.beginPath();
-  ctx.arc(x, y, radius, 0, -pose.angle, pose.angle > 0);
+  ctx.arc(x, y, radius, -from, -to, to > from);
   ctx.strokeStyle = theme.psi;
   ctx.lineWidth = 3.5 * sheet.line;
   ctx.stroke();
 }
 
 /**
- * Dotted, from behind the tire to its pointer on the protractor.
+ * The wheel plane, dotted, from behind the tire to its pointer on the protractor.
  *
  * @param {CanvasRenderingContext2D} ctx
  * @param {Sheet} sheet
  * @param {Pose} pose
  * @param {Theme} theme
  */
-function drawWheelPlane(ctx, sheet, pose, theme) {
+export function drawPointer(ctx, sheet, pose, theme) {
   const tail = onSheet(sheet, pose, -pose.radius - 0.05, 0);
   const tip = atAngle(sheet, sheet.protractor - 2, pose.angle);
   const neck = atAngle(sheet, sheet.protractor - 12, pose.angle);
@@ -161,7 +151,7 @@ function drawWheelPlane(ctx, sheet, pose, theme) {
  * @param {Scene} scene
  * @param {Theme} theme
  */
-function drawExtremes(ctx, sheet, scene, theme) {
+export function drawExtremes(ctx, sheet, scene, theme) {
   if (!scene.extremes) return;
   ctx.fillStyle = theme.psi;
   for (const psi of scene.extremes) {

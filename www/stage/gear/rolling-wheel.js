@@ -9,6 +9,7 @@ import { translucent } from './theme.js';
 import { SIPES, sipesSeen } from './tread.js';
 
 /** @typedef {import('./side.js').SideFrame} SideFrame */
+/** @typedef {import('./pose.js').Pose} Pose */
 
 /** Radii as shares of the wheel's. */
 const BEAD = 0.6;
@@ -25,42 +26,67 @@ const FACE = 0.72;
  * @param {import('./sheet.js').Sheet} sheet
  * @param {SideFrame} frame
  * @param {import('./scene.js').Scene} scene
- * @param {import('./pose.js').Pose} pose
+ * @param {readonly Pose[]} poses one, or the layers of a blur
+ * @param {number} opacity of each; details are drawn on a wheel that is not blurred
  * @param {import('./theme.js').Theme} theme
  * @param {import('./materials.js').Materials} materials
- * @param {() => void} drawInFront what stands between the wheel and the eye
  */
-export function drawRollingWheel(ctx, sheet, frame, scene, pose, theme, materials, drawInFront) {
-  const radius = pose.radius * frame.scale;
-  const depth = (FACE / 2) * WHEEL_WIDTH * frame.scale * pose.sin;
-  const x = frame.x + frame.center * frame.scale;
+export function drawRollingWheel(ctx, sheet, frame, scene, poses, opacity, theme, materials) {
+  const [{ radius: meters }] = poses;
+  const radius = meters * frame.scale;
   const y = frame.ground - frame.axle * frame.scale;
-  const narrow = Math.abs(pose.cos);
+  const middleOf = (/** @type {Pose} */ pose) => frame.x - pose.caster * pose.cos * frame.scale;
+  const depthOf = (/** @type {Pose} */ pose) => (FACE / 2) * WHEEL_WIDTH * frame.scale * pose.sin;
 
   ctx.save();
   ctx.beginPath();
   ctx.rect(0, frame.top, sheet.width, frame.ground - frame.top);
   ctx.clip();
+  ctx.globalAlpha = opacity;
+  for (const pose of poses) drawTread(ctx, sheet, frame, pose, middleOf(pose), depthOf(pose), materials);
+  const onFaces = (/** @type {(pose: Pose) => void} */ draw) => {
+    for (const pose of poses) {
+      ctx.save();
+      ctx.translate(middleOf(pose) + depthOf(pose), y);
+      ctx.scale(Math.abs(pose.cos), 1);
+      draw(pose);
+      ctx.restore();
+    }
+  };
+  onFaces((pose) => {
+    drawSidewall(ctx, sheet, radius, materials);
+    if (opacity < 1) return;
+    drawGloss(ctx, radius, materials);
+    drawShoulder(ctx, sheet, radius, scene, pose, materials);
+  });
+  onFaces((pose) => {
+    drawDisc(ctx, sheet, radius, materials);
+    drawHoles(ctx, sheet, radius, scene, pose, opacity, theme, materials);
+  });
+  ctx.restore();
+}
 
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {import('./sheet.js').Sheet} sheet
+ * @param {SideFrame} frame
+ * @param {Pose} pose
+ * @param {number} x
+ * @param {number} depth
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawTread(ctx, sheet, frame, pose, x, depth, materials) {
+  const y = frame.ground - frame.axle * frame.scale;
+  const narrow = Math.abs(pose.cos);
   ctx.fillStyle = materials.rubber;
   ctx.strokeStyle = materials.rubberEdge;
   ctx.lineWidth = 1.6 * sheet.line;
   traceBulge(ctx, frame, pose, x, narrow, Math.abs(depth));
   ctx.fill();
   ctx.stroke();
-  traceTread(ctx, x, y, radius, narrow, depth);
+  traceTread(ctx, x, y, pose.radius * frame.scale, narrow, depth);
   ctx.fill();
   ctx.stroke();
-
-  ctx.translate(x + depth, y);
-  ctx.scale(narrow, 1);
-  drawSidewall(ctx, sheet, radius, materials);
-  drawShoulder(ctx, sheet, radius, scene, pose, materials);
-  drawDisc(ctx, sheet, radius, materials);
-  drawHoles(ctx, sheet, radius, scene, pose, theme, materials);
-  ctx.restore();
-
-  drawInFront();
 }
 
 /**
@@ -86,7 +112,7 @@ function traceTread(ctx, x, y, radius, narrow, depth) {
  *
  * @param {CanvasRenderingContext2D} ctx
  * @param {SideFrame} frame
- * @param {import('./pose.js').Pose} pose
+ * @param {Pose} pose
  * @param {number} x
  * @param {number} narrow
  * @param {number} depth
@@ -133,9 +159,18 @@ function drawSidewall(ctx, sheet, radius, materials) {
     ctx.arc(0, 0, share * radius, 0, 2 * Math.PI);
     ctx.stroke();
   }
-  // The sky on the wall's roundest part, soft at its ends.
+}
+
+/**
+ * The sky on the wall's roundest part, soft at its ends.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {number} radius
+ * @param {import('./materials.js').Materials} materials
+ */
+function drawGloss(ctx, radius, materials) {
   ctx.lineCap = 'round';
-  ctx.strokeStyle = translucent(materials.rubberShine, 0.24);
+  ctx.strokeStyle = translucent(materials.rubberShine, 0.2);
   for (const [width, reach] of [[0.1, 0.17], [0.07, 0.24], [0.035, 0.31]]) {
     ctx.lineWidth = width * radius;
     ctx.beginPath();
@@ -152,7 +187,7 @@ function drawSidewall(ctx, sheet, radius, materials) {
  * @param {import('./sheet.js').Sheet} sheet
  * @param {number} radius
  * @param {import('./scene.js').Scene} scene
- * @param {import('./pose.js').Pose} pose
+ * @param {Pose} pose
  * @param {import('./materials.js').Materials} materials
  */
 function drawShoulder(ctx, sheet, radius, scene, pose, materials) {
@@ -220,11 +255,12 @@ function drawDisc(ctx, sheet, radius, materials) {
  * @param {import('./sheet.js').Sheet} sheet
  * @param {number} radius
  * @param {import('./scene.js').Scene} scene
- * @param {import('./pose.js').Pose} pose
+ * @param {Pose} pose
+ * @param {number} opacity
  * @param {import('./theme.js').Theme} theme
  * @param {import('./materials.js').Materials} materials
  */
-function drawHoles(ctx, sheet, radius, scene, pose, theme, materials) {
+function drawHoles(ctx, sheet, radius, scene, pose, opacity, theme, materials) {
   const spacing = (2 * Math.PI) / COUNT;
   const turnPerFrame = Math.abs(scene.exposure) / pose.radius;
   const blurred = Math.min(1, Math.max(0, (turnPerFrame / spacing - 0.3) / 0.15));
@@ -237,7 +273,7 @@ function drawHoles(ctx, sheet, radius, scene, pose, theme, materials) {
   }
   if (blurred === 1) return;
   const turned = scene.roll / pose.radius;
-  ctx.globalAlpha = 1 - blurred;
+  ctx.globalAlpha = opacity * (1 - blurred);
   ctx.lineWidth = 1.2 * sheet.line;
   ctx.strokeStyle = materials.metalEdge;
   for (let i = 0; i < COUNT; i++) {
@@ -254,5 +290,4 @@ function drawHoles(ctx, sheet, radius, scene, pose, theme, materials) {
     ctx.fill();
     ctx.stroke();
   }
-  ctx.globalAlpha = 1;
 }

@@ -41,10 +41,31 @@
  */
 
 /**
+ * The parameters that the drawing reads, by the models' names. Any of them may be missing:
+ * - `casterLength` (0), `halfContactLength` (0.1 m), `relaxationLength` (0.3 m): what is drawn
+ *   without them stands in brackets;
+ * - `velocity`: without it no speed is written;
+ * - `freeplayAngle`: without it, or at 0, the slot in the steering head is closed;
+ * - `torsionalStiffness`, `dampingConstant`: at 0 the spring, the damper is but a shadow.
+ *
+ * @typedef {Readonly<Record<string, number>>} Parameters
+ */
+
+/**
+ * A second run in lockstep, of which the wheel's outline and its track are drawn, dashed.
+ *
+ * @typedef {object} Ghost
+ * @property {ArrayLike<number>} state as the scene's
+ * @property {Parameters} parameters
+ * @property {Track} track
+ * @property {number} [roll] distance that it has rolled [m], where that is not the scene's
+ * @property {string} [label] what sets it apart, such as "c = 60"
+ */
+
+/**
  * @typedef {object} Scene
  * @property {ArrayLike<number>} state ψ [rad], its rate [rad/s], y [m]
- * @property {Readonly<Record<string, number>>} parameters by the model's names; a model without
- *   freeplay has no `freeplayAngle`
+ * @property {Parameters} parameters
  * @property {Forces} forces
  * @property {Track} track
  * @property {number} roll distance rolled so far [m]
@@ -54,6 +75,12 @@
  * @property {{force: number, moment: number}} forceScale what the longest arrows mean [N], [N m]
  * @property {LayoutName} layout
  * @property {readonly {psi: number, y: number}[]} trail earlier poses, drawn as faint outlines
+ * @property {readonly Ghost[]} [ghosts]
+ * @property {readonly {psi: number, y: number}[] | null} [fan] where the motion is too fast for the
+ *   screen: poses equally spaced over the frame's exposure, the last of them now. They are drawn
+ *   as one blur, and nothing is drawn that would show a single pose: no ghosts, trail or forces
+ * @property {boolean} [held] whether a hand has hold of the wheel
+ * @property {boolean} [focused] whether the keyboard would move it
  */
 
 /**

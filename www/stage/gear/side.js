@@ -1,11 +1,14 @@
 /**
  * The gear from the right: leg, wheel and caster over the ground line. The wheel's disc is
- * projected as it turns, so it narrows with cos Mψ and shows its tread with sin Mψ.
+ * projected as it turns, so it narrows with cos Mψ and shows its tread with sin Mψ. A fan of poses
+ * is drawn part by part, a translucent layer for each pose.
  *
  * @module
  */
 
+import { layerOpacity } from './fan.js';
 import { materialsFor } from './materials.js';
+import { poseOf } from './pose.js';
 import { drawStrut } from './strut.js';
 import { drawRollingWheel } from './rolling-wheel.js';
 import { translucent } from './theme.js';
@@ -59,15 +62,16 @@ export function drawSide(ctx, sheet, scene, pose, theme) {
   const frame = sideFrame(sheet, pose);
   if (!frame) return;
   const materials = materialsFor(theme);
+  const poses = scene.fan?.length ? scene.fan.map(({ psi, y }) => poseOf(scene, psi, y)) : [pose];
+  const opacity = layerOpacity(poses.length);
   ctx.save();
   ctx.beginPath();
   ctx.rect(0, frame.top, sheet.width, sheet.height - frame.top);
   ctx.clip();
   drawGroundLine(ctx, sheet, frame, scene, theme);
   drawShadow(ctx, frame, pose, materials.shadow);
-  drawRollingWheel(ctx, sheet, frame, scene, pose, theme, materials, () =>
-    drawStrut(ctx, sheet, frame, pose, theme, materials),
-  );
+  drawRollingWheel(ctx, sheet, frame, scene, poses, opacity, theme, materials);
+  drawStrut(ctx, sheet, frame, poses, opacity, theme, materials);
   drawAxes(ctx, sheet, frame, theme);
   drawContact(ctx, sheet, frame, pose, theme);
   ctx.restore();

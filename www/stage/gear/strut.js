@@ -23,14 +23,16 @@ const HUB = 0.028;
  * @param {CanvasRenderingContext2D} ctx
  * @param {Sheet} sheet
  * @param {SideFrame} frame
- * @param {Pose} pose
+ * @param {readonly Pose[]} poses one, or the layers of a blur
+ * @param {number} opacity of what turns with each of them
  * @param {Theme} theme
  * @param {Materials} materials
  */
-export function drawStrut(ctx, sheet, frame, pose, theme, materials) {
+export function drawStrut(ctx, sheet, frame, poses, opacity, theme, materials) {
   const { scale } = frame;
+  const [{ radius }] = poses;
   const up = (/** @type {number} */ h) => frame.ground - h * scale;
-  const wheelTop = frame.axle + pose.radius;
+  const wheelTop = frame.axle + radius;
   const top = (frame.ground - frame.top) / scale - 0.012;
   const shoulder = wheelTop + 0.018;
   const cylinder = top - Math.max(0.02, Math.min(0.052, 0.55 * (top - shoulder)));
@@ -41,8 +43,12 @@ export function drawStrut(ctx, sheet, frame, pose, theme, materials) {
   drawTube(ctx, frame, up(cylinder), up(shoulder), materials);
   drawCylinder(ctx, sheet, frame, up(top), up(cylinder), theme, materials);
   drawRing(ctx, sheet, frame.x, 1.12 * CYLINDER * scale, up(cylinder), 0.012 * scale, theme, materials);
-  drawArm(ctx, sheet, frame, pose, up(shoulder), up(frame.axle), theme, materials);
-  drawLinks(ctx, sheet, frame, pose, up(cylinder + 0.014), up(shoulder - 0.022), theme, materials);
+  ctx.globalAlpha = opacity;
+  for (const pose of poses) drawArm(ctx, sheet, frame, pose, up(shoulder), up(frame.axle), theme, materials);
+  for (const pose of poses) {
+    drawLinks(ctx, sheet, frame, pose, up(cylinder + 0.014), up(shoulder - 0.022), theme, materials);
+  }
+  ctx.globalAlpha = 1;
 }
 
 /**
@@ -176,7 +182,7 @@ function drawLinks(ctx, sheet, frame, pose, upper, lower, theme, materials) {
 function drawArm(ctx, sheet, frame, pose, top, axle, theme, materials) {
   const { scale } = frame;
   const body = BODY * scale;
-  const end = frame.x + (frame.center + 0.8 * FORK_REACH * pose.sin) * scale;
+  const end = frame.x + (0.8 * FORK_REACH * pose.sin - pose.caster * pose.cos) * scale;
   const arm = ARM * scale;
   const drop = axle - top;
   const { x } = frame;

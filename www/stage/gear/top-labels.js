@@ -6,19 +6,18 @@
  */
 
 import { formatNumber } from '../../words/number.js';
-import { drawArrow } from './arrow.js';
-import { putLabel, fill } from './desk.js';
-import { FORK_REACH, onSheet } from './pose.js';
-import { atAngle, protractorBox, WEDGE } from './protractor.js';
+import { putLabel } from './desk.js';
+import { swingOf } from './fan.js';
+import { drawnAngle, FORK_REACH, onSheet } from './pose.js';
+import { protractorBox, WEDGE } from './protractor.js';
 import { WHEEL_WIDTH } from './sheet.js';
-import { plain, strong, subscript, symbol, widthOf } from './text.js';
+import { strong, subscript, symbol } from './text.js';
 
 /** @typedef {import('./desk.js').Desk} Desk */
-/** @typedef {import('./tire-shape.js').TireShape} TireShape */
+/** @typedef {import('./scene.js').Scene} Scene */
 /** @typedef {import('./forces.js').ForceArrows} ForceArrows */
 
 const DEGREES = 180 / Math.PI;
-const MARGIN = 16;
 
 /**
  * Whether what a label names is large enough to be seen. A pause can come at any size, so a label
@@ -30,57 +29,6 @@ const isSeen = (pixels) => Math.abs(pixels) >= 4;
 
 /** Decimals of an angle or a length that is drawn this much larger. @param {number} magnification */
 const decimalsAt = (magnification) => (magnification < 20 ? 1 : 2);
-
-/**
- * The labels that stay where they are: what is drawn and how, and how fast it rolls.
- *
- * @param {Desk} desk
- */
-export function writeTopNotes(desk) {
-  const { ctx, sheet, scene, theme, words, placer } = desk;
-  const { small, label, band } = sheet;
-  placer.blockCircle({ ...sheet.head, radius: sheet.head.radius + 2 });
-  placer.blockBox(protractorBox(sheet));
-  const velocity = scene.parameters.velocity ?? 0;
-  const decimals = Number.isInteger(velocity) ? 0 : 1;
-  const speed = formatNumber(velocity, decimals, words.language);
-  const arrow = sheet.roomy ? 0.115 * sheet.width : 44;
-  const right = sheet.width - MARGIN;
-  const style = { size: label, color: theme.ink2, halo: theme.ground };
-  const speedLabel = [symbol('v'), strong(` ${speed} m/s`)];
-  const written = putLabel(desk, speedLabel, style, (width, height) => [
-    { x: right - arrow - 8 - width, y: band.bottom - 3 - height },
-  ]);
-  if (written) {
-    const y = written.y + written.height / 2;
-    const ink = { color: theme.ink2, halo: null, width: 1.6 * sheet.line, head: 9 * sheet.line };
-    // The label may have been moved aside: the arrow takes what room is left, if it is worth an arrow.
-    const tail = Math.max(right - arrow, written.x + written.width + 8);
-    if (right - tail >= 2 * ink.head) {
-      drawArrow(ctx, { x: tail, y }, { x: right, y }, ink);
-      placer.blockBox({ x: tail, y: y - 6, width: right - tail, height: 12 });
-    }
-  }
-
-  const free = (written?.x ?? right) - 12 - MARGIN;
-  const larger = scene.magnification !== 1;
-  const factor = formatNumber(scene.magnification, 0, words.language);
-  // To scale is what one expects, so where room is scarce only the contrary is said.
-  const short = larger ? fill(words.drawnLargerShort, { factor }) : '';
-  const long = larger ? fill(words.drawnLarger, { factor }) : sheet.roomy ? words.drawnToScale : '';
-  const lines = [long, short].filter(Boolean).map((how) => `${words.top}: ${how}`);
-  const fitting = [...lines, short].find(
-    (line) => line && widthOf(ctx, [strong(line)], small, theme) <= free,
-  );
-  const tone = { ...style, size: small, color: larger ? theme.freeplayText : theme.ink2 };
-  putLabel(desk, [strong(fitting ?? words.top)], tone, (_, height) => [
-    { x: MARGIN, y: band.bottom - 5 - height },
-  ]);
-
-  if (!sheet.roomy) return;
-  const green = { size: small, color: theme.y, halo: theme.ground, farthest: 60 };
-  putLabel(desk, [plain(words.trackOnTheGround)], green, () => [{ x: MARGIN, y: band.top + 12 }]);
-}
 
 /**
  * @param {Desk} desk
@@ -98,55 +46,38 @@ export function writeTopLabels(desk, arrows) {
 }
 
 /**
- * Keeps labels off the wheel and what belongs to it.
+ * The swing's range, where the number of a single pose would flicker.
  *
  * @param {Desk} desk
- * @param {TireShape} shape
- * @param {ForceArrows} arrows
  */
-export function blockMovingParts({ sheet, pose, placer }, shape, arrows) {
-  const corner = (/** @type {number} */ l, /** @type {number} */ n) => onSheet(sheet, pose, l, n);
-  const half = WHEEL_WIDTH / 2 + 0.008;
-  const low = Math.min(...shape.bend) - half;
-  const high = Math.max(...shape.bend) + half;
-  const { radius, caster } = pose;
-  placer.blockPolygon([
-    corner(-radius, low), corner(radius, low), corner(radius, high), corner(-radius, high),
-  ]);
-  const back = Math.min(0, caster) - 0.04;
-  const front = Math.max(0, caster) + 0.06;
-  placer.blockPolygon([
-    corner(back, -FORK_REACH), corner(front, -FORK_REACH),
-    corner(front, FORK_REACH), corner(back, FORK_REACH),
-  ]);
-  placer.blockLine(corner(radius, 0), atAngle(sheet, sheet.protractor, pose.angle), 3);
-  placer.blockLine(
-    corner(pose.half, pose.deformation),
-    corner(pose.half + pose.relaxation, 0),
-    3,
-  );
-  const wedge = WEDGE * sheet.protractor + 3;
-  placer.blockPolygon([sheet.axis, atAngle(sheet, wedge, 0), atAngle(sheet, wedge, pose.angle)]);
-  if (arrows.side.length > 1) placer.blockLine(arrows.side.from, arrows.side.to, 9 * sheet.line);
-  const { x, y, radius: arc, start, end } = arrows.moment;
-  const pieces = 4;
-  const at = (/** @type {number} */ i) => {
-    const angle = start + ((end - start) * i) / pieces;
-    return { x: x + arc * Math.cos(angle), y: y + arc * Math.sin(angle) };
-  };
-  for (let i = 0; i < pieces; i++) placer.blockLine(at(i), at(i + 1), 8 * sheet.line);
+export function writeSwing(desk) {
+  const { sheet, scene, theme, words } = desk;
+  const { low, high } = swingOf(scene);
+  const [lowest, highest] = [low, high].map((psi) => degrees(psi, scene, words));
+  const range = lowest === highest.replace('+', '−') ? highest.replace('+', '±') : `${lowest} … ${highest}`;
+  const style = { size: sheet.large, color: theme.psi, halo: theme.ground };
+  putLabel(desk, [symbol('ψ'), strong(` ${range}`)], style, (width) => {
+    const x = Math.min(sheet.axis.x + WEDGE * sheet.protractor - 0.4 * width, protractorBox(sheet).x - 4 - width);
+    const swept = WEDGE * sheet.protractor * Math.sin(drawnAngle(scene, low));
+    return [7, 13, 19, 26, 34].map((gap) => ({ x, y: sheet.axis.y - swept + gap }));
+  });
+}
+
+/** ψ with its sign, in the page's language. @param {number} psi @param {Scene} scene @param {import('./scene.js').GearWords} words */
+function degrees(psi, scene, words) {
+  const number = formatNumber(psi * DEGREES, decimalsAt(scene.magnification), words.language);
+  const sign = /^[0.,]*$/.test(number) || number.startsWith('−') ? '' : '+';
+  return `${sign}${number}°`;
 }
 
 /** @param {Desk} desk @param {number} side 1 above the line straight ahead, −1 below it */
 function writeTorsionAngle(desk, side) {
   const { sheet, scene, pose, theme, words } = desk;
-  const psi = (scene.state[0] ?? 0) * DEGREES;
-  const number = formatNumber(psi, decimalsAt(scene.magnification), words.language);
-  const sign = /^[0.,]*$/.test(number) || number.startsWith('−') ? '' : '+';
   const wedge = WEDGE * sheet.protractor;
   const covered = Math.max(0, side * wedge * Math.sin(pose.angle));
   const style = { size: sheet.large, color: theme.psi, halo: theme.ground };
-  putLabel(desk, [symbol('ψ'), strong(` ${sign}${number}°`)], style, (width, height) => {
+  const value = ` ${degrees(scene.state[0] ?? 0, scene, words)}`;
+  putLabel(desk, [symbol('ψ'), strong(value)], style, (width, height) => {
     const limit = protractorBox(sheet).x - 4 - width;
     const x = Math.min(sheet.axis.x + wedge - 0.4 * width, limit);
     return [7, 13, 19, 26, 34].map((gap) => ({

@@ -9,7 +9,8 @@
 import { materialsFor } from './materials.js';
 import { translucent } from './theme.js';
 
-const RIBBON_WIDTH = 0.13;
+/** [m] */
+export const RIBBON_WIDTH = 0.13;
 
 /**
  * @param {CanvasRenderingContext2D} ctx

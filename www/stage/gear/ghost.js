@@ -1,0 +1,62 @@
+/**
+ * Ghosts: other runs in lockstep, as dashed outlines with dashed tracks, under the wheel itself.
+ *
+ * @module
+ */
+
+import { contactLine, traceBehind } from './contact-line.js';
+import { inWheelFrame, poseNow } from './pose.js';
+import { translucent } from './theme.js';
+import { tireShape, traceTire } from './tire-shape.js';
+
+/** @typedef {import('./sheet.js').Sheet} Sheet */
+/** @typedef {import('./scene.js').Scene} Scene */
+/** @typedef {import('./scene.js').Ghost} Ghost */
+/** @typedef {import('./theme.js').Theme} Theme */
+
+/** Dashes tell several ghosts apart. */
+const DASHES = [[6, 5], [2, 3.5], [12, 4, 2, 4], [14, 6]];
+
+/** The dashes of a ghost [px]. @param {Sheet} sheet @param {number} index */
+export const ghostDash = (sheet, index) => DASHES[index % DASHES.length].map((dash) => dash * sheet.line);
+
+/**
+ * The ghost as a scene of its own, in the magnification of this one.
+ *
+ * @param {Scene} scene
+ * @param {Ghost} ghost
+ * @returns {Scene}
+ */
+const sceneOfGhost = (scene, { state, parameters, track, roll = scene.roll }) =>
+  ({ ...scene, state, parameters, track, roll });
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Scene} scene
+ * @param {number} length how much of the tracks is seen [m]
+ * @param {Theme} theme
+ */
+export function drawGhosts(ctx, sheet, scene, length, theme) {
+  ctx.lineJoin = 'round';
+  ctx.strokeStyle = theme.ghost;
+  ctx.fillStyle = translucent(theme.ghost, 0.08);
+  scene.ghosts?.forEach((ghost, index) => {
+    const own = sceneOfGhost(scene, ghost);
+    const pose = poseNow(own);
+    const trace = traceBehind(own, pose, length);
+    const shape = tireShape(pose, contactLine(trace, pose));
+    ctx.setLineDash(ghostDash(sheet, index));
+    ctx.lineWidth = 1.5 * sheet.line;
+    ctx.beginPath();
+    trace.x.forEach((x, i) => ctx.lineTo(sheet.axis.x + sheet.scale * x, sheet.axis.y - sheet.scale * trace.y[i]));
+    ctx.stroke();
+    ctx.lineWidth = 1.8 * sheet.line;
+    inWheelFrame(ctx, sheet, pose, () => {
+      traceTire(ctx, sheet, pose, shape);
+      ctx.fill();
+      ctx.stroke();
+    });
+  });
+  ctx.setLineDash([]);
+}
