@@ -48,9 +48,11 @@ export { sheetFor, trackLength } from './sheet.js';
  * @param {Scene} scene
  * @param {Theme} theme
  * @param {GearWords} words
+ * @param {{cache?: boolean}} [options] without a cache nothing is drawn but paths and text, as a
+ *   context that makes SVG of them needs it
  */
-export function drawGear(ctx, size, scene, theme, words) {
-  const sheet = sheetFor(size, scene);
+export function drawGear(ctx, size, scene, theme, words, { cache = true } = {}) {
+  const sheet = { ...sheetFor(size, scene), isCached: cache };
   const isFan = Boolean(scene.fan?.length);
   const pose = isFan ? poseOf(scene, 0, 0) : poseNow(scene);
   const placer = new Placer({

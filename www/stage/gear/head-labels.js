@@ -5,10 +5,10 @@
  */
 
 import { decimalsOf, formatNumber } from '../../words/number.js';
-import { putLabel, fill } from './desk.js';
+import { fill, putLabel, writeStill } from './desk.js';
 import { DRAWN_GAP } from './head-pose.js';
 import { protractorBox } from './protractor.js';
-import { plain, strong, widthOf, write } from './text.js';
+import { plain, strong, widthOf } from './text.js';
 
 /** @typedef {import('./desk.js').Desk} Desk */
 
@@ -34,14 +34,14 @@ function writeDamper({ ctx, sheet, theme, words }) {
     const foot = Math.max(0, share * head.radius - 0.5 * small);
     return x > head.x + Math.sqrt(head.radius ** 2 - foot ** 2) + 4;
   });
-  if (fitting) write(ctx, runs, { x, y: head.y - fitting * head.radius }, style, theme);
+  if (fitting) writeStill(ctx, sheet, runs, { x, y: head.y - fitting * head.radius }, style, theme);
 }
 
 /** @param {Desk} desk */
 function writeSpring(desk) {
   const { sheet, theme, words } = desk;
   const { head, small } = sheet;
-  const style = { size: small, color: theme.psi, halo: theme.ground, farthest: 80 };
+  const style = { size: small, color: theme.psi, halo: theme.ground, farthest: 80, stays: true };
   putLabel(desk, [plain(words.spring)], style, (width, height) =>
     [-0.2, -0.1, 0, 0.1, -0.3, 0.2, 0.9, 0.95].map((share) => ({
       x: head.x - head.radius * Math.sqrt(1 - share * share) - 8 - width,
@@ -67,7 +67,7 @@ function writeGap(desk) {
   const long = [strong(fill(words.gap, { angle, factor }))];
   const runs =
     widthOf(ctx, long, small, theme) <= room ? long : [strong(fill(words.gapShort, { angle, factor }))];
-  const style = { size: small, color: theme.freeplayText, halo: theme.ground };
+  const style = { size: small, color: theme.freeplayText, halo: theme.ground, stays: true };
   putLabel(desk, runs, style, (width, height) => [
     { x: right - width, y: head.y + head.radius + 6 },
     { x: right - width, y: head.y + head.radius + 3 },

@@ -15,6 +15,7 @@ import { drawDamper } from './damper.js';
 import { layerOpacity } from './fan.js';
 import { headFan, headPose, HOUSING } from './head-pose.js';
 import { drawSpring } from './spiral-spring.js';
+import { drawStill } from './still.js';
 import { translucent } from './theme.js';
 
 /** @typedef {import('./sheet.js').Sheet} Sheet */
@@ -33,9 +34,16 @@ export function drawHead(ctx, sheet, scene, theme) {
   const { x, y, radius } = sheet.head;
   const poses = scene.fan?.length ? headFan(scene) : [headPose(scene)];
   const opacity = layerOpacity(poses.length);
+  const edge = radius + sheet.line + 1;
+  const box = { x: x - edge, y: y - edge, width: 2 * edge, height: 2 * edge };
+  drawStill(ctx, sheet, theme, `housing ${radius}`, box, (onto) => {
+    onto.save();
+    onto.translate(x, y);
+    drawHousing(onto, sheet, radius, theme);
+    onto.restore();
+  });
   ctx.save();
   ctx.translate(x, y);
-  drawHousing(ctx, sheet, radius, theme);
   ctx.globalAlpha = opacity * springStrength(scene);
   for (const { collar } of poses) drawSpring(ctx, sheet, radius, collar, collar !== 0, theme);
   ctx.globalAlpha = opacity;

@@ -7,6 +7,7 @@
 import { formatNumber } from '../../words/number.js';
 import { fillHead } from './arrow.js';
 import { onSheet } from './pose.js';
+import { drawStill } from './still.js';
 import { plain, widthOf, write } from './text.js';
 import { translucent } from './theme.js';
 
@@ -61,6 +62,21 @@ export function protractorBox(sheet) {
  * @param {import('./scene.js').GearWords} words
  */
 export function drawScale(ctx, sheet, scene, theme, words) {
+  const { x, y, width, height } = protractorBox(sheet);
+  const box = { x: x - 4, y: y - 4, width: width + 8, height: height + 8 };
+  const key = `protractor ${sheet.protractor} ${scene.magnification} ${words.language} ${sheet.small}`;
+  drawStill(ctx, sheet, theme, key, box, (onto) => {
+    drawArc(onto, sheet, theme);
+    writeNumbers(onto, sheet, scene, theme, words);
+  });
+}
+
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Theme} theme
+ */
+function drawArc(ctx, sheet, theme) {
   const { x, y } = sheet.axis;
   const radius = sheet.protractor;
   ctx.strokeStyle = theme.ink2;
@@ -75,7 +91,17 @@ export function drawScale(ctx, sheet, scene, theme, words) {
     ctx.lineTo(to.x, to.y);
   }
   ctx.stroke();
+}
 
+/**
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Scene} scene
+ * @param {Theme} theme
+ * @param {import('./scene.js').GearWords} words
+ */
+function writeNumbers(ctx, sheet, scene, theme, words) {
+  const radius = sheet.protractor;
   const style = { size: sheet.small, color: theme.ink2, halo: theme.ground };
   const decimals = NUMBERED % scene.magnification === 0 ? 0 : 1;
   const apart = (radius + numbersAt(sheet)) * Math.sin(NUMBERED * DEGREE);

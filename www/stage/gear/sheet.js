@@ -71,6 +71,7 @@ const LAYOUTS = {
  * @property {number} line
  * @property {boolean} detailed
  * @property {boolean} roomy
+ * @property {boolean} isCached whether what stays may be kept as bitmaps
  */
 
 /**
@@ -116,6 +117,7 @@ export function sheetFor(size, scene) {
     line: layout.line,
     detailed: layout.detailed,
     roomy: layout.roomy,
+    isCached: false,
   };
 }
 

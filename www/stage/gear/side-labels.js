@@ -6,8 +6,9 @@
 
 import { formatNumber } from '../../words/number.js';
 import { fillHead } from './arrow.js';
+import { writeStill } from './desk.js';
 import { sideFrame } from './side.js';
-import { plain, strong, symbol, widthOf, write } from './text.js';
+import { plain, strong, symbol, widthOf } from './text.js';
 
 /** @typedef {import('./desk.js').Desk} Desk */
 /** @typedef {import('./side.js').SideFrame} SideFrame */
@@ -30,9 +31,18 @@ export function writeSideLabels(desk) {
   writeCaster(desk, frame);
 }
 
+/**
+ * The axle of the wheel straight ahead: words and dimensions do not follow its swing.
+ *
+ * @param {Desk} desk
+ * @param {SideFrame} frame
+ */
+const axleAt = ({ pose }, frame) => frame.x - pose.caster * frame.scale;
+
 /** @param {Desk} desk @param {SideFrame} frame */
-function wheelSpan({ pose }, frame) {
-  const middle = frame.x + frame.center * frame.scale;
+function wheelSpan(desk, frame) {
+  const { pose } = desk;
+  const middle = axleAt(desk, frame);
   const half = 1.1 * pose.radius * frame.scale;
   const top = frame.ground - (frame.axle + pose.radius) * frame.scale;
   return { left: middle - half, right: middle + half, top };
@@ -48,7 +58,7 @@ function writeView(desk, frame) {
   const room = clear ? frame.x - 0.1 * frame.scale : wheel.left - 6;
   const fits = MARGIN + widthOf(ctx, whole, sheet.small, theme) <= room;
   const style = { size: sheet.small, color: theme.ink2, halo: null };
-  write(ctx, fits ? whole : [strong(words.side)], { x: MARGIN, y }, style, theme);
+  writeStill(ctx, sheet, fits ? whole : [strong(words.side)], { x: MARGIN, y }, style, theme);
 }
 
 /** Right of the torque links, where the wheel leaves room. @param {Desk} desk @param {SideFrame} frame */
@@ -60,18 +70,18 @@ function writeSteeringAxis(desk, frame) {
   const wheel = wheelSpan(desk, frame);
   if (y + 0.7 * small >= wheel.top && x < wheel.right) return;
   const style = { size: small, color: theme.ink2, halo: null };
-  write(ctx, [plain(words.steeringAxis)], { x, y }, style, theme);
+  writeStill(ctx, sheet, [plain(words.steeringAxis)], { x, y }, style, theme);
 }
 
 /** @param {Desk} desk @param {SideFrame} frame */
-function writeContactLength({ ctx, sheet, pose, theme, words }, frame) {
+function writeContactLength(desk, frame) {
+  const { ctx, sheet, pose, theme, words } = desk;
   const runs = [strong('2'), symbol('a'), strong(` ${millimeters(2 * pose.half, words.language)}`)];
   const size = sheet.label;
-  const middle = frame.x + frame.center * frame.scale;
-  const left = Math.min(middle - pose.half * pose.cos * frame.scale, frame.x);
+  const left = Math.min(axleAt(desk, frame) - pose.half * frame.scale, frame.x);
   const x = Math.max(6, left - 10 - widthOf(ctx, runs, size, theme));
   const style = { size, color: theme.y, halo: null };
-  write(ctx, runs, { x, y: frame.ground + 19 }, style, theme);
+  writeStill(ctx, sheet, runs, { x, y: frame.ground + 19 }, style, theme);
 }
 
 /**
@@ -83,7 +93,7 @@ function writeContactLength({ ctx, sheet, pose, theme, words }, frame) {
 function writeCaster(desk, frame) {
   const { ctx, sheet, pose, theme, words } = desk;
   const y = frame.ground + 17;
-  const axle = frame.x + frame.center * frame.scale;
+  const axle = axleAt(desk, frame);
   drawDimension(ctx, sheet, Math.min(frame.x, axle), Math.max(frame.x, axle), frame.ground, theme);
 
   const style = { size: sheet.label, color: theme.ink, halo: null };
@@ -93,7 +103,7 @@ function writeCaster(desk, frame) {
     strong(` ${pose.caster < 0 ? '−' : ''}${millimeters(pose.caster, words.language)}`),
   ];
   const x = Math.max(frame.x, axle) + 12;
-  write(ctx, runs, { x, y: y + 2 }, style, theme);
+  writeStill(ctx, sheet, runs, { x, y: y + 2 }, style, theme);
 
   const meaning =
     pose.caster > 0 ? words.wheelTrails : pose.caster < 0 ? words.wheelLeads : words.wheelCentered;
@@ -103,9 +113,9 @@ function writeCaster(desk, frame) {
   const behind = x + widthOf(ctx, runs, sheet.label, theme) + 16;
   const right = sheet.width - MARGIN - width;
   const wheel = wheelSpan(desk, frame);
-  if (behind <= right) write(ctx, caption, { x: behind, y: y + 2 }, quiet, theme);
+  if (behind <= right) writeStill(ctx, sheet, caption, { x: behind, y: y + 2 }, quiet, theme);
   else if (wheel.right < right) {
-    write(ctx, caption, { x: right, y: frame.ground - sheet.small }, quiet, theme);
+    writeStill(ctx, sheet, caption, { x: right, y: frame.ground - sheet.small }, quiet, theme);
   }
 }
 

@@ -86,13 +86,20 @@ export function write(ctx, runs, at, style, theme) {
   ctx.lineWidth = 0.3 * size;
   if (style.halo) ctx.strokeStyle = style.halo;
   ctx.fillStyle = style.color;
-  for (const paint of /** @type {const} */ (['strokeText', 'fillText'])) {
-    if (paint === 'strokeText' && !style.halo) continue;
-    let x = at.x;
-    for (const run of runs) {
-      ctx.font = fontOf(run.face, size, theme);
-      ctx[paint](run.text, x, run.face === 'subscript' ? at.y + 0.32 * size : at.y);
-      x += runWidth(ctx, run, size, theme);
-    }
-  }
+  let x = at.x;
+  const places = runs.map((run) => {
+    const place = { x, y: run.face === 'subscript' ? at.y + 0.32 * size : at.y };
+    x += runWidth(ctx, run, size, theme);
+    return place;
+  });
+  let font = '';
+  /** @param {'strokeText' | 'fillText'} paint @param {number} i */
+  const put = (paint, i) => {
+    const wanted = fontOf(runs[i].face, size, theme);
+    // To set a font costs more than to write with it.
+    if (font !== wanted) ctx.font = font = wanted;
+    ctx[paint](runs[i].text, places[i].x, places[i].y);
+  };
+  if (style.halo) for (let i = runs.length - 1; i >= 0; i--) put('strokeText', i);
+  for (let i = 0; i < runs.length; i++) put('fillText', i);
 }

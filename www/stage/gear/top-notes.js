@@ -51,7 +51,7 @@ function writeSpeed(desk) {
   if (velocity === undefined) return right;
   const speed = formatNumber(velocity, Number.isInteger(velocity) ? 0 : 1, words.language);
   const arrow = sheet.roomy ? 0.115 * sheet.width : 44;
-  const style = { size: sheet.label, color: theme.ink2, halo: theme.ground };
+  const style = { size: sheet.label, color: theme.ink2, halo: theme.ground, stays: true };
   const written = putLabel(desk, [symbol('v'), strong(` ${speed} m/s`)], style, (width, height) => [
     { x: right - arrow - 8 - width, y: sheet.band.bottom - 3 - height },
   ]);
@@ -87,7 +87,7 @@ function writeScale(desk, end) {
   /** @type {string[] | null} */
   let lines = null;
   for (const note of notes) lines ??= inLines(note, width, end - MARGIN);
-  const style = { size: small, color: larger ? theme.freeplayText : theme.ink2, halo: theme.ground };
+  const style = { size: small, color: larger ? theme.freeplayText : theme.ink2, halo: theme.ground, stays: true };
   lines?.reverse().forEach((line, i) =>
     putLabel(desk, [strong(line)], { ...style, farthest: 0 }, (_, height) => [
       { x: MARGIN, y: band.bottom - 5 - (i + 1) * height },
@@ -114,7 +114,7 @@ function inLines(sentence, widthOfLine, room) {
 /** At the foot, under the blur that it explains. @param {Desk} desk */
 function writeTooFast(desk) {
   const { sheet, theme, words } = desk;
-  const style = { size: sheet.label, color: theme.ink, halo: theme.ground, farthest: 200 };
+  const style = { size: sheet.label, color: theme.ink, halo: theme.ground, farthest: 200, stays: true };
   putLabel(desk, [strong(words.tooFast)], style, (width, height) => [
     { x: sheet.axis.x - width / 2, y: sheet.band.bottom - 4 - height },
   ]);
@@ -123,7 +123,7 @@ function writeTooFast(desk) {
 /** @param {Desk} desk */
 function writeTrack(desk) {
   const { sheet, theme, words } = desk;
-  const style = { size: sheet.small, color: theme.y, halo: theme.ground, farthest: 60 };
+  const style = { size: sheet.small, color: theme.y, halo: theme.ground, farthest: 60, stays: true };
   putLabel(desk, [plain(words.trackOnTheGround)], style, () => [{ x: MARGIN, y: sheet.band.top + TRACK_NOTE_AT }]);
 }
 
@@ -140,7 +140,7 @@ function writeGhosts(desk) {
   const height = LEADING * size;
   const end = noteEnd(desk);
   const foot = sheet.axis.y - 0.045 * sheet.scale;
-  const style = { size, color: theme.ink2, halo: theme.ground, farthest: 0 };
+  const style = { size, color: theme.ink2, halo: theme.ground, farthest: 0, stays: true };
   let x = MARGIN;
   let y = sheet.band.top + (sheet.roomy ? TRACK_NOTE_AT + height + 2 : 6);
   scene.ghosts?.forEach(({ label }, index) => {
