@@ -13,7 +13,7 @@ import { WHEEL_RADIUS, WHEEL_WIDTH } from './sheet.js';
 /** @typedef {import('./sheet.js').Sheet} Sheet */
 
 /** Beyond these the drawing stands still: the model is not trusted there, and numbers tell. */
-const LARGEST_ANGLE = (75 * Math.PI) / 180;
+export const LARGEST_ANGLE = (75 * Math.PI) / 180;
 const LARGEST_DEFORMATION = 0.4;
 
 /**
