@@ -48,7 +48,7 @@ pub struct Energy {
 /// The energy of a run over its duration, or over one cycle from its start where it gives none; nothing where it does not
 /// swing.
 pub(crate) fn of<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Option<Energy>> {
-    let laws = posed.laws()?;
+    let laws = posed.run.laws()?;
     let Some(duration) = posed.run.given_duration().map_or_else(|| cycle(posed), |given| Ok(Some(given)))? else {
         return Ok(None);
     };

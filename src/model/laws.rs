@@ -100,6 +100,7 @@ impl Laws {
     }
 
     /// Power at the state (ψ, ψ̇, y).
+    #[inline(never)]
     pub fn power(&self, x: &[f64]) -> Power {
         let (_, side_force, aligning_moment, _) = self.tire(x[Y]);
         let rate = x[PSI_RATE];

@@ -14,7 +14,11 @@ pub use torsional_linear::TorsionalLinear;
 
 use serde::Serialize;
 
-use crate::parameter::{Parameter, StateVariable};
+use self::laws::Laws;
+use crate::{
+    parameter::{Parameter, StateVariable},
+    stability::{Polynomial, TorsionalTheory},
+};
 
 /// What is known of a model without a run: its tables.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -27,12 +31,25 @@ pub struct Description {
     pub parameters: &'static [Parameter],
     /// State variables in the order in which they are stored.
     pub state: &'static [StateVariable],
+    /// See [`Model::laws`].
+    #[serde(skip)]
+    pub(crate) laws: fn(&[f64]) -> Option<Laws>,
+    /// See [`Model::linear_theory`].
+    #[serde(skip)]
+    pub(crate) linear_theory: fn(&[Polynomial]) -> Option<TorsionalTheory>,
 }
 
 impl Description {
     /// The tables of the model `M`.
     pub fn of<const N: usize, M: Model<N>>() -> Self {
-        Self { name: M::NAME, title: M::TITLE, parameters: M::PARAMETERS, state: M::STATE }
+        Self {
+            name: M::NAME,
+            title: M::TITLE,
+            parameters: M::PARAMETERS,
+            state: M::STATE,
+            laws: M::laws,
+            linear_theory: M::linear_theory,
+        }
     }
 
     /// Default values of all parameters, in table order.
@@ -59,4 +76,17 @@ pub fn list() -> Vec<Description> {
         ($($n:literal, $model:ty;)*) => { vec![$(Description::of::<$n, $model>()),*] };
     }
     for_each_model!(describe)
+}
+
+/// The tables of the model `name`.
+pub fn named(name: &str) -> Option<Description> {
+    macro_rules! find {
+        ($($n:literal, $model:ty;)*) => {
+            $(if name == <$model>::NAME {
+                return Some(Description::of::<$n, $model>());
+            })*
+        };
+    }
+    for_each_model!(find);
+    None
 }

@@ -4,7 +4,7 @@ use super::laws::Laws;
 use crate::{
     parameter::{Parameter, StateVariable},
     real::Real,
-    stability::{Number, TorsionalTheory},
+    stability::{Polynomial, TorsionalTheory},
 };
 
 /// Which piece of each piecewise law holds: two bits a kink (see [`crate::element::Side`]).
@@ -105,7 +105,7 @@ pub trait Model<const N: usize>: System<N> + 'static {
     }
 
     /// Its linear theory, where there is a closed form, for parameters in table order.
-    fn linear_theory<T: Number>(values: &[T]) -> Option<TorsionalTheory<T>> {
+    fn linear_theory(values: &[Polynomial]) -> Option<TorsionalTheory> {
         let _ = values;
         None
     }

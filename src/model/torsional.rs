@@ -14,7 +14,7 @@ use crate::{
     },
     parameter::{Parameter, Scale, StateVariable, Validity},
     real::Real,
-    stability::{Number, TorsionalTheory},
+    stability::{Polynomial, TorsionalTheory},
 };
 
 /// State ψ: torsion angle.
@@ -198,7 +198,7 @@ impl Model<3> for Torsional {
         })
     }
 
-    fn linear_theory<T: Number>(values: &[T]) -> Option<TorsionalTheory<T>> {
+    fn linear_theory(values: &[Polynomial]) -> Option<TorsionalTheory> {
         let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, _, _, kappa, freeplay] = values else {
             return None;
         };

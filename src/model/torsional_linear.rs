@@ -9,7 +9,7 @@ use crate::{
     element::tire_law::LinearTireLaw,
     parameter::{Parameter, StateVariable},
     real::Real,
-    stability::{Number, TorsionalTheory},
+    stability::{Polynomial, TorsionalTheory},
 };
 
 /// The torsional gear ([`super::Torsional`]) linearised about ψ = 0, without freeplay.
@@ -87,7 +87,7 @@ impl Model<3> for TorsionalLinear {
         })
     }
 
-    fn linear_theory<T: Number>(values: &[T]) -> Option<TorsionalTheory<T>> {
+    fn linear_theory(values: &[Polynomial]) -> Option<TorsionalTheory> {
         let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, kappa] = values else { return None };
         Some(TorsionalTheory {
             velocity: v,
@@ -101,7 +101,7 @@ impl Model<3> for TorsionalLinear {
             side_force_derivative: c_f_alpha,
             aligning_moment_derivative: c_m_alpha,
             tread_width_moment_constant: kappa,
-            freeplay_angle: T::from(0.0),
+            freeplay_angle: Polynomial::from(0.0),
         })
     }
 }

@@ -15,10 +15,13 @@ use crate::{
     error::{Code, Error, Result, shown},
     integrate::{Method, Output, Scheme, Trajectory},
     live::Simulator,
-    model::{self, Description, laws::Forces},
+    model::{
+        self, Description,
+        laws::{Forces, Laws},
+    },
     outlook::{HORIZON, Outlook},
     parameter::{Parameter, Validity, check_number, parameter_index, state_index},
-    stability::{RouthHurwitz, UnstableInterval, Variation},
+    stability::{Polynomial, RouthHurwitz, TorsionalTheory, UnstableInterval, Variation},
 };
 
 /// Most samples, and most times, of one trajectory.
@@ -54,9 +57,8 @@ impl Run {
     /// # Errors
     /// An unknown name, with the nearest known one.
     pub fn of(name: &str) -> Result<Self> {
-        let models = model::list();
-        let description = models.iter().find(|m| m.name == name).ok_or_else(|| {
-            let known: Vec<_> = models.iter().map(|m| m.name).collect();
+        let description = model::named(name).ok_or_else(|| {
+            let known: Vec<_> = model::list().iter().map(|m| m.name).collect();
             Error::unknown(Code::UnknownName, "model", name, &known)
         })?;
         Ok(Self {
@@ -180,7 +182,7 @@ impl Run {
 
     /// The model's tables.
     pub fn description(&self) -> Description {
-        model::list().into_iter().find(|m| m.name == self.model).expect("a run is made for a listed model")
+        model::named(self.model).expect("a run is made for a listed model")
     }
 
     /// Values of all parameters, in table order.
@@ -250,7 +252,8 @@ impl Run {
     /// # Errors
     /// A model without a closed linear theory; parameters so extreme that its coefficients leave the numbers.
     pub fn routh_hurwitz(&self) -> Result<RouthHurwitz> {
-        self.problem().routh_hurwitz()
+        let numbers: Vec<_> = self.parameters.iter().map(|value| Polynomial::from(*value)).collect();
+        self.linear_theory(&numbers)?.routh_hurwitz()
     }
 
     /// The parts of a parameter's range in which linear theory does not find the gear stable, ascending; the other
@@ -259,7 +262,8 @@ impl Run {
     /// # Errors
     /// An unknown parameter, ends that are not valid for it or do not ascend, a model without a closed linear theory.
     pub fn unstable_intervals(&self, variation: &Variation) -> Result<Vec<UnstableInterval>> {
-        self.problem().unstable_intervals(variation)
+        let varied = variation.applied(self.table(), &self.parameters)?;
+        Ok(self.linear_theory(&varied)?.unstable_intervals(variation.from, variation.to))
     }
 
     /// The energy that goes through the motion in its duration, or in one cycle from its start where none is given; nothing
@@ -276,7 +280,28 @@ impl Run {
     /// # Errors
     /// Not as many finite numbers as the model has states; a model without force laws.
     pub fn forces(&self, state: &[f64]) -> Result<Forces> {
-        self.problem().forces(state)
+        let variables = self.description().state;
+        if state.len() != variables.len() {
+            let names: Vec<_> = variables.iter().map(|variable| variable.name).collect();
+            let got = format!("a list of {} numbers", state.len());
+            let allowed = format!("{} numbers: {}", names.len(), names.join(", "));
+            return Err(Error::new(Code::WrongType, "state", got, allowed));
+        }
+        for (variable, value) in variables.iter().zip(state) {
+            check_number(variable.name, *value, Validity::Finite, variable.unit)?;
+        }
+        Ok(self.laws()?.forces(state))
+    }
+
+    /// The model's force laws.
+    pub(crate) fn laws(&self) -> Result<Laws> {
+        (self.description().laws)(&self.parameters).ok_or_else(|| Error::without(self.model, "force laws"))
+    }
+
+    /// The model's linear theory, for parameters in table order.
+    fn linear_theory(&self, parameters: &[Polynomial]) -> Result<TorsionalTheory> {
+        let theory = (self.description().linear_theory)(parameters);
+        theory.ok_or_else(|| Error::without(self.model, "a closed linear theory"))
     }
 
     fn table(&self) -> &'static [Parameter] {

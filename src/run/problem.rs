@@ -6,13 +6,8 @@ use crate::{
     error::{Code, Error, Result, shown},
     integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, jacobian, solve},
     live::{Motion, Simulator},
-    model::{
-        Model,
-        laws::{Forces, Laws},
-    },
+    model::Model,
     outlook::{self, Outlook},
-    parameter::{Validity, check_number},
-    stability::{self, RouthHurwitz, UnstableInterval, Variation},
 };
 
 /// A run whose model has been chosen. Calls through it happen once a trajectory, never within one.
@@ -32,26 +27,11 @@ pub trait Problem {
     /// # Errors
     /// As [`Run::live`].
     fn live(&self) -> Result<Simulator>;
-    /// The verdict of linear theory.
-    ///
-    /// # Errors
-    /// As [`Run::routh_hurwitz`].
-    fn routh_hurwitz(&self) -> Result<RouthHurwitz>;
-    /// Where in a parameter's range a small swing does not fade.
-    ///
-    /// # Errors
-    /// As [`Run::unstable_intervals`].
-    fn unstable_intervals(&self, variation: &Variation) -> Result<Vec<UnstableInterval>>;
     /// The energy of a cycle.
     ///
     /// # Errors
     /// As [`Run::energy`].
     fn energy(&self) -> Result<Option<Energy>>;
-    /// Forces at a state.
-    ///
-    /// # Errors
-    /// As [`Run::forces`].
-    fn forces(&self, state: &[f64]) -> Result<Forces>;
 }
 
 /// A run with the system of its model.
@@ -111,11 +91,6 @@ impl<M: Model<N>, const N: usize> Posed<M, N> {
         }
         Ok(())
     }
-
-    /// The model's force laws.
-    pub fn laws(&self) -> Result<Laws> {
-        M::laws(&self.run.parameters).ok_or_else(|| Error::without(M::NAME, "force laws"))
-    }
 }
 
 impl<M: Model<N>, const N: usize> Problem for Posed<M, N> {
@@ -132,28 +107,8 @@ impl<M: Model<N>, const N: usize> Problem for Posed<M, N> {
         Ok(Simulator::new(Box::new(Motion::start(Posed::<M, N>::new(self.run.clone()))?)))
     }
 
-    fn routh_hurwitz(&self) -> Result<RouthHurwitz> {
-        stability::closed_form::<M, f64, N>(&self.run.parameters)?.routh_hurwitz()
-    }
-
-    fn unstable_intervals(&self, variation: &Variation) -> Result<Vec<UnstableInterval>> {
-        variation.unstable_intervals::<M, N>(&self.run.parameters)
-    }
-
     fn energy(&self) -> Result<Option<Energy>> {
         energy::of(self)
-    }
-
-    fn forces(&self, state: &[f64]) -> Result<Forces> {
-        let names: Vec<_> = M::STATE.iter().map(|state| state.name).collect();
-        if state.len() != N {
-            let got = format!("a list of {} numbers", state.len());
-            return Err(Error::new(Code::WrongType, "state", got, format!("{N} numbers: {}", names.join(", "))));
-        }
-        for (variable, value) in M::STATE.iter().zip(state) {
-            check_number(variable.name, *value, Validity::Finite, variable.unit)?;
-        }
-        Ok(self.laws()?.forces(state))
     }
 }
 

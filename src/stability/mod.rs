@@ -1,7 +1,7 @@
 //! Linear theory: does a small swing grow or fade?
 //!
-//! The torsional gears have it in closed form ([`TorsionalTheory`]): one text of the conditions serves numbers, and
-//! polynomials in the one parameter that varies.
+//! The torsional gears have it in closed form ([`TorsionalTheory`]), with every parameter a polynomial in the one that
+//! varies: one text of the conditions says whether a gear is stable, and where that changes.
 
 mod polynomial;
 mod torsional;
@@ -9,15 +9,7 @@ mod variation;
 
 use serde::Serialize;
 
-use crate::{
-    error::{Error, Result},
-    model::Model,
-};
-
-pub use self::{
-    torsional::{Number, TorsionalTheory},
-    variation::Variation,
-};
+pub use self::{polynomial::Polynomial, torsional::TorsionalTheory, variation::Variation};
 
 /// The verdict of Routh and Hurwitz at rest.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -57,9 +49,4 @@ pub enum EndKind {
     Divergence,
     /// The end of the range asked for.
     Range,
-}
-
-/// The closed form of a model, for parameters in table order.
-pub(crate) fn closed_form<M: Model<N>, T: Number, const N: usize>(values: &[T]) -> Result<TorsionalTheory<T>> {
-    M::linear_theory(values).ok_or_else(|| Error::without(M::NAME, "a closed linear theory"))
 }

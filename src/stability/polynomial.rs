@@ -6,9 +6,9 @@ use std::ops::{Add, Mul, Sub};
 /// contact length, with both of its links at work).
 const COEFFICIENTS: usize = 6;
 
-/// c₀ + c₁x + c₂x² + …
+/// c₀ + c₁x + c₂x² + … up to x⁵; what a product has beyond is lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Polynomial([f64; COEFFICIENTS]);
+pub struct Polynomial([f64; COEFFICIENTS]);
 
 impl Polynomial {
     /// The variable itself.
@@ -19,6 +19,7 @@ impl Polynomial {
     }
 
     /// The value at `x`.
+    #[inline(never)]
     pub fn at(&self, x: f64) -> f64 {
         self.0.iter().rev().fold(0.0, |sum, c| sum * x + c)
     }
@@ -113,6 +114,7 @@ impl Sub for Polynomial {
 
 impl Mul for Polynomial {
     type Output = Self;
+    #[inline(never)] // a dozen products a condition, and no hurry
     fn mul(self, other: Self) -> Self {
         debug_assert!(self.degree() + other.degree() < COEFFICIENTS, "no condition is of that degree");
         let mut c = [0.0; COEFFICIENTS];

@@ -1,19 +1,13 @@
 //! The torsional gear's linear theory in closed form.
 
-use std::ops::{Add, Mul, Sub};
-
-use super::{EndKind, RouthHurwitz, UnstableInterval, polynomial::Polynomial};
+use super::{EndKind, Polynomial, RouthHurwitz, UnstableInterval};
 use crate::{
-    error::{Code, Error, Result},
+    error::{Code, Error, Result, shown},
     parameter::LARGEST,
 };
 
-/// What a parameter of the linear theory may be: a number, or a polynomial in the one that varies.
-pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + From<f64> + PartialEq {}
-
-impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + From<f64> + PartialEq> Number for T {}
-
-/// The parameters that enter the linear theory of a wheel that turns about its axis on a stretched-string tire.
+/// The parameters that enter the linear theory of a wheel that turns about its axis on a stretched-string tire: each a
+/// number, or the variable.
 ///
 /// # Equations
 /// With B = −(c_Mα + e c_Fα) F_z/(σ I_z) the matrix of (ψ, ψ̇, y) has the characteristic polynomial s³ + a₂s² + a₁s + a₀:
@@ -42,121 +36,102 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + From<f64> +
 /// Derived from G. Somieski, *Aerospace Science and Technology* 8 (1997) 545–555; signs and letters as in
 /// [`crate::model::Torsional`].
 #[derive(Clone, Copy, Debug)]
-pub struct TorsionalTheory<T> {
+pub struct TorsionalTheory {
     /// v
-    pub velocity: T,
+    pub velocity: Polynomial,
     /// e
-    pub caster_length: T,
+    pub caster_length: Polynomial,
     /// a
-    pub half_contact_length: T,
+    pub half_contact_length: Polynomial,
     /// σ
-    pub relaxation_length: T,
+    pub relaxation_length: Polynomial,
     /// I_z
-    pub moment_of_inertia: T,
+    pub moment_of_inertia: Polynomial,
     /// k
-    pub torsional_stiffness: T,
+    pub torsional_stiffness: Polynomial,
     /// c
-    pub damping_constant: T,
+    pub damping_constant: Polynomial,
     /// F_z
-    pub vertical_force: T,
+    pub vertical_force: Polynomial,
     /// c_Fα
-    pub side_force_derivative: T,
+    pub side_force_derivative: Polynomial,
     /// c_Mα
-    pub aligning_moment_derivative: T,
+    pub aligning_moment_derivative: Polynomial,
     /// κ
-    pub tread_width_moment_constant: T,
+    pub tread_width_moment_constant: Polynomial,
     /// ψ_fp
-    pub freeplay_angle: T,
+    pub freeplay_angle: Polynomial,
 }
 
-impl<T: Number> TorsionalTheory<T> {
+impl TorsionalTheory {
     /// k at rest.
-    fn stiffness(&self) -> T {
-        let none = T::from(0.0);
+    fn stiffness(&self) -> Polynomial {
+        let none = Polynomial::from(0.0);
         if self.freeplay_angle == none { self.torsional_stiffness } else { none }
     }
 
     /// T, by which the tire turns a deformed wheel back.
-    fn tire(&self) -> T {
+    fn tire(&self) -> Polynomial {
         (self.aligning_moment_derivative + self.caster_length * self.side_force_derivative) * self.vertical_force
     }
 
     /// k + T: a₀ is positive exactly where this is.
-    fn stays(&self) -> T {
+    #[inline(never)]
+    fn stays(&self) -> Polynomial {
         self.stiffness() + self.tire()
     }
 
     /// (a₂a₁ − a₀) v σ² I_z²: positive exactly where a₂a₁ > a₀.
-    fn calms(&self) -> T {
+    #[inline(never)]
+    fn calms(&self) -> Polynomial {
         let Self { velocity: v, relaxation_length: sigma, moment_of_inertia: i_z, .. } = *self;
         let lever = self.caster_length - self.half_contact_length;
         let damping = self.damping_constant * v + self.tread_width_moment_constant;
         let (k, tire) = (self.stiffness(), self.tire());
         i_z * v * v * (damping + tire * (lever - sigma)) + sigma * damping * (k * sigma + damping + tire * lever)
     }
-}
 
-impl TorsionalTheory<f64> {
-    /// Routh and Hurwitz, and where their verdict changes.
+    /// Routh and Hurwitz, and where their verdict changes. Every parameter is a number.
     ///
     /// # Errors
     /// Values so extreme that the coefficients leave the numbers.
     pub(crate) fn routh_hurwitz(&self) -> Result<RouthHurwitz> {
-        let Self { velocity: v, relaxation_length: sigma, moment_of_inertia: i_z, .. } = *self;
-        let (stays, calms) = (self.stays(), self.calms());
-        let a2 = v / sigma + (self.damping_constant + self.tread_width_moment_constant / v) / i_z;
+        let [v, sigma, i_z, c, kappa] = [
+            self.velocity,
+            self.relaxation_length,
+            self.moment_of_inertia,
+            self.damping_constant,
+            self.tread_width_moment_constant,
+        ]
+        .map(|number| number.at(0.0));
+        let (stays, calms) = (self.stays().at(0.0), self.calms().at(0.0));
+        let a2 = v / sigma + (c + kappa / v) / i_z;
         let a0 = v * stays / (sigma * i_z);
         let column = [1.0, a2, calms / (v * sigma * sigma * i_z * i_z) / a2, a0];
-        if !column.iter().all(|entry| entry.is_finite()) {
-            let value = format!("{column:?}");
-            return Err(Error::new(Code::NotFinite, "the Routh column", value, "finite: choose less extreme values"));
+        if let Some(entry) = column.iter().find(|entry| !entry.is_finite()) {
+            let allowed = "of finite numbers: choose less extreme values";
+            return Err(Error::new(Code::NotFinite, "the Routh column", shown(*entry), allowed));
         }
+        // Neither speed nor damping enters k + T. Where that is not positive, a₂a₁ = a₀ ≤ 0 is no pair on the axis.
+        let crossings = |gear: Self| if stays > 0.0 { gear.calms().roots(0.0, LARGEST) } else { Vec::new() };
         Ok(RouthHurwitz {
             stable: column.iter().all(|entry| *entry > 0.0),
             column: column.to_vec(),
-            critical_velocities: self.crossings(|gear| &mut gear.velocity),
-            critical_damping: self.crossings(|gear| &mut gear.damping_constant).pop(),
+            critical_velocities: crossings(Self { velocity: Polynomial::variable(), ..*self }),
+            critical_damping: crossings(Self { damping_constant: Polynomial::variable(), ..*self }).pop(),
         })
     }
 
-    /// The values > 0 of one parameter at which a pair crosses the imaginary axis.
-    fn crossings(&self, pick: impl Fn(&mut TorsionalTheory<Polynomial>) -> &mut Polynomial) -> Vec<f64> {
-        // Neither speed nor damping enters k + T. Where that is not positive, a₂a₁ = a₀ ≤ 0 is no pair on the axis.
-        if self.stays() <= 0.0 {
-            return Vec::new();
-        }
-        let mut gear = self.map(Polynomial::from);
-        *pick(&mut gear) = Polynomial::variable();
-        gear.calms().roots(0.0, LARGEST)
-    }
-
-    fn map<T>(&self, f: impl Fn(f64) -> T) -> TorsionalTheory<T> {
-        TorsionalTheory {
-            velocity: f(self.velocity),
-            caster_length: f(self.caster_length),
-            half_contact_length: f(self.half_contact_length),
-            relaxation_length: f(self.relaxation_length),
-            moment_of_inertia: f(self.moment_of_inertia),
-            torsional_stiffness: f(self.torsional_stiffness),
-            damping_constant: f(self.damping_constant),
-            vertical_force: f(self.vertical_force),
-            side_force_derivative: f(self.side_force_derivative),
-            aligning_moment_derivative: f(self.aligning_moment_derivative),
-            tread_width_moment_constant: f(self.tread_width_moment_constant),
-            freeplay_angle: f(self.freeplay_angle),
-        }
-    }
-}
-
-impl TorsionalTheory<Polynomial> {
-    /// The parts of \[`from`, `to`\] in which the gear is not stable as the polynomials' variable runs over it.
+    /// The parts of \[`from`, `to`\] in which the gear is not stable as the variable runs over it.
     pub(crate) fn unstable_intervals(&self, from: f64, to: f64) -> Vec<UnstableInterval> {
         let (stays, calms) = (self.stays(), self.calms());
         let stable = |x: f64| stays.at(x) > 0.0 && calms.at(x) > 0.0;
-        let boundaries = |condition: &Polynomial, kind| condition.roots(from, to).into_iter().map(move |at| (at, kind));
         let mut ends: Vec<(f64, EndKind)> =
-            boundaries(&stays, EndKind::Divergence).chain(boundaries(&calms, EndKind::Hopf)).collect();
-        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+            calms.roots(from, to).into_iter().map(|root| (root, EndKind::Hopf)).collect();
+        for root in stays.roots(from, to) {
+            let place = ends.partition_point(|end| end.0 < root);
+            ends.insert(place, (root, EndKind::Divergence));
+        }
         ends.push((to, EndKind::Range));
         let mut intervals: Vec<UnstableInterval> = Vec::new();
         let mut start = (from, EndKind::Range);

@@ -1,10 +1,10 @@
 //! One parameter that varies while the others stay, or follow it.
 
-use super::{UnstableInterval, closed_form, polynomial::Polynomial};
+use super::Polynomial;
 use crate::{
     error::{Code, Error, Result, shown},
-    model::{Model, torsional},
-    parameter::parameter_index,
+    model::torsional,
+    parameter::{Parameter, parameter_index},
     run::{Fields, Value},
 };
 
@@ -53,16 +53,12 @@ impl Variation {
         Ok(variation)
     }
 
-    /// The parts of the range in which a small swing does not fade, the other parameters being `values`.
+    /// The parameters of `table`, the others being `values`, as polynomials in the one that varies.
     ///
     /// # Errors
-    /// An unknown parameter, ends that are not valid for it or do not ascend, a model without a closed linear theory.
-    pub(crate) fn unstable_intervals<M: Model<N>, const N: usize>(
-        &self,
-        values: &[f64],
-    ) -> Result<Vec<UnstableInterval>> {
+    /// An unknown parameter, ends that are not valid for it or do not ascend.
+    pub(crate) fn applied(&self, table: &[Parameter], values: &[f64]) -> Result<Vec<Polynomial>> {
         let Self { from, to, .. } = *self;
-        let table = M::PARAMETERS;
         let index = parameter_index(table, &self.parameter).map_err(|error| Error {
             code: Code::UnknownName,
             field: "parameter".into(),
@@ -77,13 +73,13 @@ impl Variation {
         let mut varied: Vec<Polynomial> = values.iter().map(|value| Polynomial::from(*value)).collect();
         // A range of one value is that value: freeplay of 0 is none, freeplay that varies is some.
         varied[index] = if from == to { Polynomial::from(from) } else { Polynomial::variable() };
-        self.follow::<M, N>(&mut varied);
-        Ok(closed_form::<M, Polynomial, N>(&varied)?.unstable_intervals(from, to))
+        self.follow(table, &mut varied);
+        Ok(varied)
     }
 
     /// Lets what is linked to the parameter that varies follow it.
-    fn follow<M: Model<N>, const N: usize>(&self, varied: &mut [Polynomial]) {
-        let place = |name: &str| M::PARAMETERS.iter().position(|parameter| parameter.name == name);
+    fn follow(&self, table: &[Parameter], varied: &mut [Polynomial]) {
+        let place = |name: &str| table.iter().position(|parameter| parameter.name == name);
         let [Some(a), Some(c_f_alpha), Some(f_z), Some(sigma), Some(kappa)] = [
             "halfContactLength",
             "sideForceDerivative",
@@ -94,7 +90,7 @@ impl Variation {
         .map(place) else {
             return;
         };
-        let is = |index: usize| M::PARAMETERS[index].name == self.parameter;
+        let is = |index: usize| table[index].name == self.parameter;
         let linked = torsional::linked(varied[a], varied[c_f_alpha], varied[f_z]);
         if self.relaxation_length_follows && is(a) {
             varied[sigma] = linked.0;
