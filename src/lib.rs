@@ -41,6 +41,8 @@
 //! | [`stability`] | linear theory: Routh–Hurwitz, critical values, unstable intervals |
 //! | [`energy`] | where a swing's energy comes from and where it goes |
 //! | [`outlook`] | what becomes of a motion: one word and its numbers |
+//! | [`spectrum`] | the frequencies that a series is made of |
+//! | [`atlas`] | the figures and tables of the work that this implements |
 //! | [`parameter`], [`error`], [`real`] | tables, refusals, numbers |
 //!
 //! # Example
@@ -57,6 +59,7 @@
 //! # Ok::<(), shimmy::Error>(())
 //! ```
 
+pub mod atlas;
 pub mod element;
 pub mod energy;
 pub mod error;
@@ -67,6 +70,7 @@ pub mod outlook;
 pub mod parameter;
 pub mod real;
 pub mod run;
+pub mod spectrum;
 pub mod stability;
 
 pub use error::{Code, Error, Result};

@@ -45,6 +45,16 @@ impl PiecewiseTireLaw {
         Self { side_force_stiffness, aligning_stiffness, side_force_limit_angle, aligning_limit_angle }
     }
 
+    /// δ \[rad\].
+    pub fn side_force_limit_angle(&self) -> f64 {
+        self.side_force_limit_angle
+    }
+
+    /// α_g \[rad\].
+    pub fn aligning_limit_angle(&self) -> f64 {
+        self.aligning_limit_angle
+    }
+
     /// tan δ: the slip ratio at which the side force stops growing.
     pub fn side_force_limit(&self) -> f64 {
         slip_ratio(self.side_force_limit_angle)

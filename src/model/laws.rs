@@ -1,6 +1,10 @@
 //! The force laws of the torsional gears, one by one: what a drawing, a plot and an account of energy read.
 
+mod curves;
+
 use serde::Serialize;
+
+pub use self::curves::{Curves, ForceLaws, Kinks};
 
 use super::torsional::{PSI, PSI_RATE, Y};
 use crate::element::{
@@ -74,7 +78,7 @@ pub struct Power {
 
 impl Laws {
     /// α, F_y, M_z and whether F_y is at its limit, for the deformation y of the tire.
-    fn tire(&self, y: f64) -> (f64, f64, f64, bool) {
+    fn at_deformation(&self, y: f64) -> (f64, f64, f64, bool) {
         let q = y / self.relaxation_length;
         match self.tire {
             TireLaw::Piecewise(law) => {
@@ -93,7 +97,7 @@ impl Laws {
 
     /// Forces at the state (ψ, ψ̇, y).
     pub fn forces(&self, x: &[f64]) -> Forces {
-        let (slip_angle, side_force, aligning_moment, side_force_limited) = self.tire(x[Y]);
+        let (slip_angle, side_force, aligning_moment, side_force_limited) = self.at_deformation(x[Y]);
         let spring_angle = self.spring_angle(x[PSI]);
         let spring_torque = -self.stiffness * spring_angle;
         Forces { slip_angle, side_force, aligning_moment, side_force_limited, spring_angle, spring_torque }
@@ -102,7 +106,7 @@ impl Laws {
     /// Power at the state (ψ, ψ̇, y).
     #[inline(never)]
     pub fn power(&self, x: &[f64]) -> Power {
-        let (_, side_force, aligning_moment, _) = self.tire(x[Y]);
+        let (_, side_force, aligning_moment, _) = self.at_deformation(x[Y]);
         let rate = x[PSI_RATE];
         Power {
             tire: (aligning_moment - self.caster_length * side_force) * rate,

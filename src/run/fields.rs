@@ -2,7 +2,7 @@
 
 use super::{
     Value,
-    parse::{number, record, text, wrong_type},
+    parse::{number, numbers, record, text, wrong_type},
 };
 use crate::error::{Code, Error, Result};
 
@@ -30,6 +30,11 @@ impl<'a> Fields<'a> {
     /// A field that holds a finite number; `allowed` says so in errors.
     pub fn number(&self, key: &str, allowed: &str) -> Result<Option<f64>> {
         self.value(key).map(|value| number(key, value, allowed)).transpose()
+    }
+
+    /// A field that holds a list of numbers.
+    pub fn numbers(&self, key: &str) -> Result<Option<Vec<f64>>> {
+        self.value(key).map(|value| numbers(key, value)).transpose()
     }
 
     /// A field that holds a name.

@@ -17,7 +17,7 @@ use crate::{
     live::Simulator,
     model::{
         self, Description,
-        laws::{Forces, Laws},
+        laws::{Curves, ForceLaws, Forces, Laws},
     },
     outlook::{HORIZON, Outlook},
     parameter::{Parameter, Validity, check_number, parameter_index, state_index},
@@ -291,6 +291,14 @@ impl Run {
             check_number(variable.name, *value, Validity::Finite, variable.unit)?;
         }
         Ok(self.laws()?.forces(state))
+    }
+
+    /// The force laws as curves to draw.
+    ///
+    /// # Errors
+    /// A model without force laws.
+    pub fn force_laws(&self, curves: &Curves) -> Result<ForceLaws> {
+        Ok(curves.of(&self.laws()?))
     }
 
     /// The model's force laws.

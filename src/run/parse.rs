@@ -139,7 +139,7 @@ pub(super) fn number(field: &str, value: &Value, allowed: &str) -> Result<f64> {
     }
 }
 
-fn numbers(field: &str, value: &Value) -> Result<Vec<f64>> {
+pub(super) fn numbers(field: &str, value: &Value) -> Result<Vec<f64>> {
     match value {
         Value::Numbers(numbers) => Ok(numbers.clone()),
         Value::List(0) => Ok(Vec::new()),

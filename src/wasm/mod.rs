@@ -13,11 +13,12 @@ pub use simulator::Simulator;
 use wasm_bindgen::prelude::*;
 
 use crate::{
-    Error, Run,
+    Error, Run, atlas,
     integrate::methods as list_of_methods,
-    model::{self, Model, Torsional, torsional},
+    model::{self, Model, Torsional, laws::Curves, torsional},
     parameter::{Validity, check_number},
     run::Value,
+    spectrum::Series,
     stability::Variation,
 };
 
@@ -83,6 +84,30 @@ pub fn unstable_intervals(
 #[wasm_bindgen(unchecked_return_type = "Energy | null")]
 pub fn energy(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
     output::record(&read_run(&run)?.energy().map_err(output::error)?)
+}
+
+/// The force laws as curves: against the slip angle and against the torsion angle, with their kinks among the points.
+#[wasm_bindgen(js_name = forceLaws, unchecked_return_type = "ForceLaws")]
+pub fn force_laws(
+    #[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Curves | null | undefined")] curves: JsValue,
+) -> Result<JsValue, JsValue> {
+    let run = read_run(&run)?;
+    let curves = input::value(&curves, "curves").and_then(|value| Curves::read(&value));
+    output::force_laws(&curves.and_then(|curves| run.force_laws(&curves)).map_err(output::error)?)
+}
+
+/// The amplitude spectrum of equally spaced values: a sinusoid of amplitude A shows as A.
+#[wasm_bindgen(unchecked_return_type = "Spectrum")]
+pub fn spectrum(#[wasm_bindgen(unchecked_param_type = "Series")] series: JsValue) -> Result<JsValue, JsValue> {
+    let series = input::value(&series, "series").and_then(|value| Series::read(&value)).map_err(output::error)?;
+    output::spectrum(&series.spectrum())
+}
+
+/// The figures and tables of the work that this implements.
+#[wasm_bindgen(unchecked_return_type = "AtlasEntry[]")]
+pub fn atlas() -> Result<JsValue, JsValue> {
+    js_sys::JSON::parse(atlas::JSON)
 }
 
 /// Values that the links σ = 3a and κ = 0.15 a² c_Fα F_z give for these parameters of the torsional gear.

@@ -8,8 +8,10 @@ use crate::{
     Error, Run,
     integrate::{Stats, Trajectory},
     live::{Columns, Envelope},
+    model::laws::ForceLaws,
     outlook::Outlook,
     parameter::StateVariable,
+    spectrum::Spectrum,
 };
 
 /// Small records: plain objects, never Maps; what is absent is `null`.
@@ -99,6 +101,25 @@ pub(super) fn outlook(run: &Run, outlook: Outlook) -> Result<JsValue, JsValue> {
     put(&object, "present", &present.into());
     put(&object, "envelope", &envelope(&outlook.envelope).into());
     put(&object, "orbit", &columns(states, outlook.orbit).into());
+    Ok(object.into())
+}
+
+pub(super) fn force_laws(laws: &ForceLaws) -> Result<JsValue, JsValue> {
+    let object = Object::new();
+    put(&object, "slipAngle", &series(&laws.slip_angle));
+    put(&object, "sideForce", &series(&laws.side_force));
+    put(&object, "aligningMoment", &series(&laws.aligning_moment));
+    put(&object, "torsionAngle", &series(&laws.torsion_angle));
+    put(&object, "restoringMoment", &series(&laws.restoring_moment));
+    put(&object, "kinks", &record(&laws.kinks)?);
+    Ok(object.into())
+}
+
+pub(super) fn spectrum(spectrum: &Spectrum) -> Result<JsValue, JsValue> {
+    let object = Object::new();
+    put(&object, "frequency", &series(&spectrum.frequency));
+    put(&object, "amplitude", &series(&spectrum.amplitude));
+    put(&object, "peak", &record(&spectrum.peak)?);
     Ok(object.into())
 }
 

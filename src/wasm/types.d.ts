@@ -90,6 +90,44 @@ export interface Energy {
   /** kinetic + spring */
   stored: number;
 }
+/** What to draw of the force laws: angles in rad, each curve from −angle to +angle. */
+export interface Curves {
+  /** below 90°; 20° */
+  slipAngle?: number | null;
+  /** 20° */
+  torsionAngle?: number | null;
+  /** equally spaced, 2 … 100 000; 201. The kinks come on top. */
+  samples?: number | null;
+}
+/** Force laws as curves, ascending, with every kink among the points. */
+export interface ForceLaws {
+  /** rad */
+  slipAngle: Float64Array;
+  /** F_y in N at `slipAngle` */
+  sideForce: Float64Array;
+  /** M_z in N m at `slipAngle` */
+  aligningMoment: Float64Array;
+  /** rad */
+  torsionAngle: Float64Array;
+  /** −k s(ψ) in N m at `torsionAngle` */
+  restoringMoment: Float64Array;
+  /** where the laws bend, in rad; null where they do not */
+  kinks: { sideForceLimitAngle: number | null; aligningMomentLimitAngle: number | null; freeplayAngle: number | null };
+}
+/** Equally spaced values, 2 … 65 536; `interval` in s. */
+export interface Series { values: Float64Array | number[]; interval: number }
+/** Single-sided amplitude spectrum, from 0 to half of the sampling rate. `peak`: the strongest sinusoid, between the frequencies; null where nothing swings. */
+export interface Spectrum { frequency: Float64Array; amplitude: Float64Array; peak: { frequency: number; amplitude: number } | null }
+/** A figure or table of E. Atabay's thesis, as a run or a map to look at. */
+export interface AtlasEntry {
+  id: string;
+  title: string;
+  view: string;
+  run?: Run & Record<string, any>;
+  show?: string[];
+  map?: Record<string, any>;
+  [key: string]: any;
+}
 /** What the links between parameters give. */
 export interface LinkedParameters { relaxationLength: number; treadWidthMomentConstant: number }
 /** Forces at a state, SI. */
