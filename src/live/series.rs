@@ -140,7 +140,7 @@ pub(super) fn rows_to_keep(columns: &[&[f64]], most: usize) -> Vec<usize> {
     kept
 }
 
-/// Sorts a handful: two rows a column. (The standard library's sort is made for many, and costs 2 kB of the module.)
+/// Sorts a handful: two rows a column. (The standard library's sort is made for many, and costs a kilobyte of the module.)
 fn sort_few(rows: &mut [usize]) {
     for sorted in 1..rows.len() {
         for i in (0..sorted).rev() {

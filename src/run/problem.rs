@@ -117,16 +117,10 @@ impl<M: Model<N>, const N: usize> Problem for Posed<M, N> {
 pub(crate) fn check_fixed_step<M: Model<N>, const N: usize>(system: &M, x: &[f64; N], step: f64) -> Result<()> {
     let fastest = fastest_rate(system, x).max(system.without_freeplay().map_or(0.0, |gear| fastest_rate(&gear, x)));
     if step * fastest > RK4_STABLE {
-        let allowed = format!("at most {} s for rk4 with these parameters", shown(three_digits(RK4_STABLE / fastest)));
+        let allowed = format!("at most {:.3e} s for rk4 with these parameters", RK4_STABLE / fastest);
         return Err(Error::new(Code::Unsuited, "step", shown(step), allowed));
     }
     Ok(())
-}
-
-/// A positive number with three digits, rounded down. (Formatting with a precision would cost 3 kB of the module.)
-fn three_digits(x: f64) -> f64 {
-    let unit = 10_f64.powi(x.log10().floor() as i32 - 2);
-    (x / unit).floor() * unit
 }
 
 /// Largest |λ| of the Jacobian at `x`; 0 where it is not finite (the motion itself says so).
