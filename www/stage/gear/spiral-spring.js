@@ -42,9 +42,10 @@ export function drawSpring(ctx, sheet, radius, collar, wound, theme) {
   ctx.strokeStyle = theme.psi;
   ctx.lineWidth = width;
   ctx.stroke();
-  // The light along the steel strip.
+  ctx.lineCap = 'butt';
+  // The light along the steel strip, where it is thick enough to show it.
+  if (width < 3) return;
   ctx.strokeStyle = translucent(theme.surface, 0.5);
   ctx.lineWidth = 0.3 * width;
   ctx.stroke();
-  ctx.lineCap = 'butt';
 }

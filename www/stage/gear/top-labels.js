@@ -37,11 +37,11 @@ const decimalsAt = (magnification) => (magnification < 20 ? 1 : 2);
 export function writeTopLabels(desk, arrows) {
   const side = desk.pose.deformation < 0 ? -1 : 1;
   writeTorsionAngle(desk, -side);
-  writeSideForce(desk, arrows);
   if (desk.sheet.detailed) {
     writeDeformation(desk, side);
     writeSlipAngle(desk, side);
   }
+  writeSideForce(desk, arrows);
   writeAligningMoment(desk, arrows);
 }
 
@@ -132,17 +132,17 @@ function writeDeformation(desk, side) {
   const y = Math.abs(scene.state[2] ?? 0) * 1000;
   const number = formatNumber(y, decimalsAt(scene.magnification), words.language);
   const ring = onSheet(sheet, pose, pose.half, pose.deformation);
-  const edge = side * onSheet(sheet, pose, pose.half, 0).y;
-  const clear = side * edge - side * (0.62 * WHEEL_WIDTH * sheet.scale);
+  const clear = onSheet(sheet, pose, pose.half, 0).y - side * (0.62 * WHEEL_WIDTH * sheet.scale);
   const style = { size: sheet.label, color: theme.y, halo: theme.ground, farthest: 90 };
-  const box = putLabel(desk, [symbol('y'), strong(` ${number} mm`)], style, (width, height) =>
-    [4, 10, 16, 22, 28, 34, 40].flatMap((gap) =>
-      [8, 26, -0.3 * width].map((dx) => ({
-        x: ring.x + dx,
-        y: clear - side * (gap + height / 2) - height / 2,
-      })),
-    ),
-  );
+  const box = putLabel(desk, [symbol('y'), strong(` ${number} mm`)], style, (width, height) => {
+    const { top, bottom } = sheet.band;
+    const edge = side > 0 ? top + 4 : bottom - 4 - height;
+    const rows = [4, 10, 16, 22, 28, 34, 40].map((gap) => clear - side * (gap + height / 2) - height / 2);
+    // Where room is scarce it keeps to the band's edge, and leaves α the place between.
+    return (sheet.roomy ? rows : [edge, ...rows]).flatMap((row) =>
+      [8, 26, -0.3 * width].map((dx) => ({ x: ring.x + dx, y: row })),
+    );
+  });
   if (!box) return;
   const foot = {
     x: Math.min(box.x + box.width - 4, Math.max(box.x + 4, ring.x + 8)),

@@ -25,8 +25,8 @@ export function writeTopNotes(desk) {
   placer.blockCircle({ ...sheet.head, radius: sheet.head.radius + 2 });
   placer.blockBox(protractorBox(sheet));
   const right = writeSpeed(desk);
-  writeScale(desk, Math.min(right, noteEnd(desk)));
-  if (desk.scene.fan?.length) writeTooFast(desk);
+  const left = writeScale(desk, Math.min(right, noteEnd(desk)));
+  if (desk.scene.fan?.length) writeTooFast(desk, left, right);
   if (sheet.roomy) writeTrack(desk);
   writeGhosts(desk);
 }
@@ -68,7 +68,7 @@ function writeSpeed(desk) {
 }
 
 /**
- * Whether the drawing is to scale, at the foot on the left, in one line or two.
+ * Whether the drawing is to scale, at the foot on the left, in one line or two. Returns its right end.
  *
  * @param {Desk} desk
  * @param {number} end
@@ -86,13 +86,14 @@ function writeScale(desk, end) {
   const width = (/** @type {string} */ line) => widthOf(ctx, [strong(line)], small, theme);
   /** @type {string[] | null} */
   let lines = null;
-  for (const note of notes) lines ??= inLines(note, width, end - MARGIN);
+  for (const note of notes) lines ??= inLines(note, width, end - MARGIN, larger ? 2 : 1);
   const style = { size: small, color: larger ? theme.freeplayText : theme.ink2, halo: theme.ground, stays: true };
   lines?.reverse().forEach((line, i) =>
     putLabel(desk, [strong(line)], { ...style, farthest: 0 }, (_, height) => [
       { x: MARGIN, y: band.bottom - 5 - (i + 1) * height },
     ]),
   );
+  return MARGIN + Math.max(...(lines ?? []).map(width)) + 12;
 }
 
 /**
@@ -101,9 +102,11 @@ function writeScale(desk, end) {
  * @param {string} sentence
  * @param {(line: string) => number} widthOfLine
  * @param {number} room
+ * @param {number} most lines
  */
-function inLines(sentence, widthOfLine, room) {
+function inLines(sentence, widthOfLine, room, most) {
   if (widthOfLine(sentence) <= room) return [sentence];
+  if (most < 2) return null;
   const words = sentence.split(' ');
   const halves = words.slice(1).map((_, i) => [words.slice(0, i + 1).join(' '), words.slice(i + 1).join(' ')]);
   const widest = halves.map((lines) => Math.max(...lines.map(widthOfLine)));
@@ -111,12 +114,22 @@ function inLines(sentence, widthOfLine, room) {
   return least <= room ? halves[widest.indexOf(least)] : null;
 }
 
-/** At the foot, under the blur that it explains. @param {Desk} desk */
-function writeTooFast(desk) {
+/**
+ * At the foot, under the blur that it explains, between the other notes.
+ *
+ * @param {Desk} desk
+ * @param {number} left
+ * @param {number} right
+ */
+function writeTooFast(desk, left, right) {
   const { sheet, theme, words } = desk;
-  const style = { size: sheet.label, color: theme.ink, halo: theme.ground, farthest: 200, stays: true };
+  const size = sheet.roomy ? sheet.label : sheet.small;
+  const style = { size, color: theme.ink, halo: theme.ground, farthest: 200, stays: true };
   putLabel(desk, [strong(words.tooFast)], style, (width, height) => [
-    { x: sheet.axis.x - width / 2, y: sheet.band.bottom - 4 - height },
+    {
+      x: Math.max(left, Math.min(right - width, sheet.axis.x - width / 2)),
+      y: sheet.band.bottom - 3 - height,
+    },
   ]);
 }
 
