@@ -1,6 +1,6 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
-import { decimalsOf, formatNumber, parseNumber } from '../../www/words/number.js';
+import { decimalsFor, decimalsOf, formatNumber, parseNumber } from '../../www/words/number.js';
 
 test('both decimal signs are read alike', () => {
   for (const [text, value] of /** @type {[string, number][]} */ ([
@@ -34,4 +34,8 @@ test('a value is shown with all its digits, and with the field’s own at least'
   assert.equal(decimalsOf(1e-9, 0), 9);
   assert.equal(decimalsOf(100000, 0), 0);
   assert.equal(decimalsOf(1 / 3, 1), 6);
+});
+
+test('significant digits decide the decimals, and whole digits always stand', () => {
+  assert.deepEqual([1596, 195, 24.71, 1.3, 0.022268, -15.2, 0].map((value) => decimalsFor(value, 3)), [0, 0, 1, 2, 4, 1, 2]);
 });

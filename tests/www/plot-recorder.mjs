@@ -65,3 +65,6 @@ export function recordingContext() {
 
 /** Every number that was drawn with. @param {Call[]} calls */
 export const numbersOf = (calls) => calls.flatMap(({ args }) => args.flat(2).filter((value) => typeof value === 'number'));
+
+/** The words of text calls. @param {Call[]} calls @returns {string[]} */
+export const written = (calls) => calls.map(({ args }) => args[0]);

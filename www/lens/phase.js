@@ -2,6 +2,7 @@ import { LitElement, html } from 'lit';
 import { tell } from '../command.js';
 import '../view/canvas.js';
 import { drawPhasePortrait } from '../view/phase-portrait.js';
+import { decimalsFor } from '../words/number.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
@@ -80,17 +81,9 @@ export function destination({ verdict, amplitude, frequency }, voice) {
   if (verdict === 'grows' || !frequency) return voice.say('phase.grows');
   return voice.say(verdict === 'rattles' ? 'phase.rattle' : 'phase.cycle', {
     degrees: `±${voice.number(amplitude.torsionAngle * degrees, 3)}°`,
-    radians: voice.number(amplitude.torsionAngle, significant(amplitude.torsionAngle, 5)),
+    radians: voice.number(amplitude.torsionAngle, decimalsFor(amplitude.torsionAngle, 5)),
     frequency: voice.number(frequency, 2),
   });
-}
-
-/**
- * Decimals that show so many significant digits.
- * @param {number} value @param {number} digits
- */
-function significant(value, digits) {
-  return Math.max(0, digits - 1 - Math.floor(Math.log10(value || 1)));
 }
 
 customElements.define('shimmy-phase-lens', PhaseLens);

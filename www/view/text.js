@@ -29,45 +29,66 @@ export function symbolFont(theme, scale = 1) {
  * @param {number} x
  * @param {number} y
  * @param {Theme} theme
- * @param {{ align?: 'left' | 'right' | 'center', weight?: number }} [options]
+ * @param {{ align?: 'left' | 'right' | 'center', weight?: number, halo?: string }} [options] `halo`: a color around
+ *   the letters, by which they stand off what they cross
+ * @returns {number} its width
  */
-export function drawLabel(context, runs, x, y, theme, { align = 'left', weight = 400 } = {}) {
-  const widths = runs.map((run) => {
-    context.font = 'text' in run ? textFont(theme, 1, weight) : symbolFont(theme);
-    return context.measureText('text' in run ? run.text : run.symbol).width + ('sub' in run && run.sub ? theme.size * 0.7 : 0);
-  });
+export function drawLabel(context, runs, x, y, theme, { align = 'left', weight = 400, halo } = {}) {
+  const widths = runs.map((run) => widthOfRun(context, run, theme, weight));
   const width = widths.reduce((sum, one) => sum + one, 0);
-  let left = align === 'left' ? x : align === 'right' ? x - width : x - width / 2;
+  const start = align === 'left' ? x : align === 'right' ? x - width : x - width / 2;
   context.textAlign = 'left';
   context.textBaseline = 'alphabetic';
-  runs.forEach((run, i) => {
-    if ('text' in run) {
-      context.font = textFont(theme, 1, weight);
-      context.fillText(run.text, left, y);
-    } else {
-      drawSymbol(context, run, left, y, theme);
-    }
-    left += widths[i];
-  });
+  if (halo) {
+    context.strokeStyle = halo;
+    context.lineWidth = 4;
+    context.lineJoin = 'round';
+  }
+  // All halos first, or one would cover the letters before it.
+  for (const paint of halo ? /** @type {const} */ (['strokeText', 'fillText']) : /** @type {const} */ (['fillText'])) {
+    let left = start;
+    runs.forEach((run, i) => {
+      drawRun(context, run, left, y, theme, weight, paint);
+      left += widths[i];
+    });
+  }
   return width;
 }
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {{ symbol: string, sub?: string, dotted?: boolean }} run
- * @param {number} x
- * @param {number} y
+ * @param {Run[]} runs
  * @param {Theme} theme
+ * @param {number} [weight]
  */
-function drawSymbol(context, { symbol, sub, dotted }, x, y, theme) {
-  context.font = symbolFont(theme);
-  context.fillText(symbol, x, y);
-  const width = context.measureText(symbol).width;
-  if (sub) {
-    context.font = symbolFont(theme, 0.7);
-    context.fillText(sub, x + width, y + theme.size * 0.25);
+export function widthOfLabel(context, runs, theme, weight = 400) {
+  return runs.reduce((sum, run) => sum + widthOfRun(context, run, theme, weight), 0);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Run} run @param {Theme} theme @param {number} weight */
+function widthOfRun(context, run, theme, weight) {
+  context.font = 'text' in run ? textFont(theme, 1, weight) : symbolFont(theme);
+  return context.measureText('text' in run ? run.text : run.symbol).width + ('sub' in run && run.sub ? theme.size * 0.7 : 0);
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context @param {Run} run @param {number} x @param {number} y @param {Theme} theme
+ * @param {number} weight @param {'strokeText' | 'fillText'} paint
+ */
+function drawRun(context, run, x, y, theme, weight, paint) {
+  if ('text' in run) {
+    context.font = textFont(theme, 1, weight);
+    context[paint](run.text, x, y);
+    return;
   }
-  if (!dotted) return;
+  context.font = symbolFont(theme);
+  context[paint](run.symbol, x, y);
+  const width = context.measureText(run.symbol).width;
+  if (run.sub) {
+    context.font = symbolFont(theme, 0.7);
+    context[paint](run.sub, x + width, y + theme.size * 0.25);
+  }
+  if (!run.dotted || paint === 'strokeText') return;
   // The time derivative's dot, set by hand: few fonts place a combining dot well over an italic letter.
   context.beginPath();
   context.arc(x + width * 0.58, y - theme.size * 0.98, theme.size * 0.085, 0, 2 * Math.PI);

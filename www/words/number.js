@@ -42,6 +42,15 @@ export function decimalsOf(value, least) {
 }
 
 /**
+ * Decimals that show so many significant digits; whole digits always stand.
+ * @param {number} value
+ * @param {number} digits
+ */
+export function decimalsFor(value, digits) {
+  return Math.min(12, Math.max(0, digits - 1 - Math.floor(Math.log10(Math.abs(value) || 1))));
+}
+
+/**
  * Reads what a person typed. "." and "," both serve as the decimal sign; where both occur, the last one does
  * and the other groups digits. A sign that groups must occur where groups can be (`1.234.567`, `1 234,5`).
  * @param {string} text

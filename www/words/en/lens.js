@@ -24,7 +24,4 @@ export const lens = {
   'phase.grows': 'No limit cycle within this model’s reach.',
   'phase.fit': 'Fit',
   'phase.fit.does': 'Fit the axes to this motion',
-
-  'state.torsionAngle': 'torsion angle',
-  'state.torsionRate': 'torsion rate',
 };

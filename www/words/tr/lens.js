@@ -24,7 +24,4 @@ export const lens = {
   'phase.grows': 'Bu modelin erişiminde limit çevrim yok.',
   'phase.fit': 'Sığdır',
   'phase.fit.does': 'Eksenleri bu harekete sığdır',
-
-  'state.torsionAngle': 'burulma açısı',
-  'state.torsionRate': 'burulma hızı',
 };

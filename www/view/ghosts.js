@@ -1,0 +1,56 @@
+import { strokeCurve } from './curve.js';
+import { ghost as ghostStyle, inStyle } from './strokes.js';
+import { textFont } from './text.js';
+
+/**
+ * Pinned runs on a plot: dashed, named in a corner, and numbered at the curve where there are several.
+ *
+ * @typedef {import('./curve.js').Curve} Curve
+ * @typedef {import('./key.js').Key} Key
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {import('../words/voice.js').Voice} Voice
+ * @typedef {{ label: string }} Labelled `label`: how it differs from the run, and what became of it
+ */
+
+/**
+ * One key a ghost: several small ones find room where a list would not.
+ * @param {Labelled[]} ghosts
+ * @param {Theme} theme
+ * @param {Voice} voice
+ * @returns {Key[]}
+ */
+export function keysOfGhosts(ghosts, theme, voice) {
+  return ghosts.map(({ label }, i) => {
+    const text = ghosts.length > 1 ? `${i + 1}: ${label}` : voice.say('plot.ghost', { label });
+    return { entry: { text, style: ghostStyle }, color: theme.ghost, weight: 600 };
+  });
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {{ curve: Curve, isClosed: boolean }[]} ghosts
+ * @param {Theme} theme
+ */
+export function drawGhosts(context, ghosts, theme) {
+  inStyle(context, theme, ghostStyle, () => {
+    for (const { curve, isClosed } of ghosts) strokeCurve(context, curve, { isClosed });
+  });
+  if (ghosts.length < 2) return;
+  context.font = textFont(theme, 0.9, 600);
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  context.lineJoin = 'round';
+  ghosts.forEach(({ curve }, i) => numberAt(context, curve, String(i + 1), theme));
+}
+
+/** Sets the number on the curve where it is highest. @param {CanvasRenderingContext2D} context @param {Curve} curve @param {string} number @param {Theme} theme */
+function numberAt(context, { count, x, y }, number, theme) {
+  if (count < 1) return;
+  let highest = 0;
+  for (let i = 1; i < count; i++) if (y(i) < y(highest)) highest = i;
+  context.lineWidth = 5;
+  context.strokeStyle = theme.surface;
+  context.strokeText(number, x(highest), y(highest));
+  context.fillStyle = theme.ghost;
+  context.fillText(number, x(highest), y(highest));
+}

@@ -1,0 +1,115 @@
+import { freeCorner } from './corner.js';
+import { inStyle } from './strokes.js';
+import { textFont } from './text.js';
+import { drawVeil } from './veil.js';
+
+/**
+ * What the lines of a plot are: a piece of each line and its name. On a wide plot they stand in corners that the curves
+ * leave free, on a narrow one in rows above.
+ *
+ * @typedef {import('./axes.js').Box} Box
+ * @typedef {import('./corner.js').Corner} Corner
+ * @typedef {import('./curve.js').Curve} Curve
+ * @typedef {import('./strokes.js').Style} Style
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {{ text: string, style: Style | null }} Entry without text it takes no room
+ * @typedef {{ entry: Entry | 'veiled', color: string, weight?: number }} Key `veiled`: not to be read yet
+ */
+
+/** Plots narrower than this have no free corners, in widths of small type. */
+const narrow = 30;
+/** Rows of keys may take this share of a narrow plot; what does not fit is left unsaid. */
+const mostOfFrame = 0.32;
+
+/**
+ * The frame with rows of keys above it where it is narrow, and what draws the keys once the curves are there.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Box} frame
+ * @param {(Key & { wishes: Corner[] })[]} keys `wishes`: their corners, the best first
+ * @param {Theme} theme
+ * @returns {{ frame: Box, draw: (taken: Box[], curves: Curve[]) => void }} `taken`: where other words stand already
+ */
+export function placeKeys(context, frame, keys, theme) {
+  const said = keys.filter(({ entry }) => entry === 'veiled' || entry.text !== '');
+  const inset = theme.size * 0.4;
+  const inner = { left: frame.left + inset, right: frame.right - inset, top: frame.top + 2, bottom: frame.bottom - 4 };
+  const sizes = said.map((key) => sizeOf(context, key, theme));
+  if (frame.right - frame.left >= narrow * theme.size) {
+    const draw = (/** @type {Box[]} */ taken, /** @type {Curve[]} */ curves) => {
+      const full = [...taken];
+      said.forEach((key, i) => {
+        const box = freeCorner(inner, sizes[i], key.wishes, full, curves);
+        full.push(box);
+        drawKey(context, key, box, theme);
+      });
+    };
+    return { frame, draw };
+  }
+  const room = frame.top + mostOfFrame * (frame.bottom - frame.top);
+  const boxes = rowsOf(sizes, { ...inner, left: frame.left }, theme).filter(({ bottom }) => bottom <= room);
+  const lowest = boxes.at(-1);
+  return {
+    frame: lowest ? { ...frame, top: lowest.bottom + theme.size * 0.5 } : frame,
+    draw: () => boxes.forEach((box, i) => drawKey(context, said[i], box, theme)),
+  };
+}
+
+/**
+ * Boxes side by side, and below where a row is full.
+ * @param {{ width: number, height: number }[]} sizes
+ * @param {Box} area
+ * @param {Theme} theme
+ * @returns {Box[]}
+ */
+function rowsOf(sizes, { left, right, top }, theme) {
+  let [x, y] = [left, top - theme.size * 0.6];
+  return sizes.map(({ width, height }) => {
+    if (x > left && x + width > right) [x, y] = [left, y + height];
+    const box = { left: x, right: x + width, top: y, bottom: y + height };
+    x += width + theme.size * 1.2;
+    return box;
+  });
+}
+
+/** @param {Key} key @param {Theme} theme */
+const fontOf = ({ weight = 400 }, theme) => textFont(theme, 1, weight);
+
+/** The piece of line before a name, and the room up to the name. @param {Theme} theme */
+const sampleOf = ({ size }) => ({ length: 2 * size, room: 2.6 * size });
+
+/** @param {CanvasRenderingContext2D} context @param {Key} key @param {Theme} theme */
+function sizeOf(context, key, theme) {
+  const height = 1.5 * theme.size;
+  if (key.entry === 'veiled') return { width: 5 * theme.size, height };
+  context.font = fontOf(key, theme);
+  return { width: context.measureText(key.entry.text).width + (key.entry.style ? sampleOf(theme).room : 0), height };
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Key} key @param {Box} box @param {Theme} theme */
+function drawKey(context, key, box, theme) {
+  if (key.entry === 'veiled') {
+    drawVeil(context, box, theme);
+    return;
+  }
+  const { text, style } = key.entry;
+  const middle = (box.top + box.bottom) / 2;
+  const { length, room } = sampleOf(theme);
+  if (style) {
+    inStyle(context, theme, style, () => {
+      context.beginPath();
+      context.moveTo(box.left, middle);
+      context.lineTo(box.left + length, middle);
+      context.stroke();
+    });
+  }
+  context.font = fontOf(key, theme);
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  context.lineJoin = 'round';
+  context.lineWidth = 4;
+  context.strokeStyle = theme.surface;
+  const left = box.left + (style ? room : 0);
+  context.strokeText(text, left, middle);
+  context.fillStyle = key.color;
+  context.fillText(text, left, middle);
+}

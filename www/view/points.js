@@ -1,0 +1,52 @@
+/** @typedef {import('../style/theme.js').Theme} Theme */
+
+/**
+ * Where the motion is now: a full dot, ringed so that it stands off its trail.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {string} color
+ * @param {Theme} theme
+ */
+export function drawPresent(context, x, y, color, theme) {
+  context.fillStyle = color;
+  context.strokeStyle = theme.surface;
+  context.lineWidth = 2;
+  circle(context, x, y, 6 * Math.sqrt(theme.line));
+  context.fill();
+  context.stroke();
+}
+
+/**
+ * Where a ghost is now: hollow.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {Theme} theme
+ */
+export function drawHollow(context, x, y, theme) {
+  drawRing(context, x, y, 4.5 * Math.sqrt(theme.line), theme.ghost, theme);
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {number} radius
+ * @param {string} color
+ * @param {Theme} theme
+ */
+export function drawRing(context, x, y, radius, color, theme) {
+  context.fillStyle = theme.surface;
+  context.strokeStyle = color;
+  context.lineWidth = 1.8 * theme.line;
+  circle(context, x, y, radius);
+  context.fill();
+  context.stroke();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} radius */
+function circle(context, x, y, radius) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+}

@@ -1,0 +1,38 @@
+/**
+ * The line styles that mean the same on every plot.
+ *
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {(context: CanvasRenderingContext2D, theme: Theme) => void} Style sets color, width and dashes of a stroke
+ */
+
+/** Where the motion goes if nothing changes: dotted, in ink. @type {Style} */
+export const destination = (context, theme) => set(context, theme.ink, 1.4, [1.5, 4], theme);
+
+/** A run that was pinned: dashed. @type {Style} */
+export const ghost = (context, theme) => set(context, theme.ghost, 1.5, [6, 5], theme);
+
+/** An edge of the gap: dotted. @type {Style} */
+export const gapEdge = (context, theme) => set(context, theme.freeplayText, 1.5, [2, 3], theme);
+
+/**
+ * Draws in a style, and leaves lines solid after it.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Theme} theme
+ * @param {Style} style
+ * @param {() => void} draw
+ */
+export function inStyle(context, theme, style, draw) {
+  style(context, theme);
+  draw();
+  context.setLineDash([]);
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context @param {string} color @param {number} width @param {number[]} dash
+ * @param {Theme} theme
+ */
+function set(context, color, width, dash, { line }) {
+  context.strokeStyle = color;
+  context.lineWidth = width * line;
+  context.setLineDash(dash.map((length) => length * line));
+}
