@@ -119,7 +119,7 @@ test('the past is drawn up to now, the future on from there, dotted', () => {
     return { time, torsionAngle: time.map((t) => 0.1 * Math.cos(300 * t)) };
   };
   drawTimeHistory(context, box, {
-    past: history(-0.08, 0), future: history(0, 0.02), from: -0.08, to: 0.02, limit: 0.2, freeplay: 0, angle: 0.1, frequency: 47.7,
+    past: history(-0.08, 0), future: history(0, 0.02), from: -0.08, to: 0.02, limit: 0.2, freeplay: 0, value: 0.1, frequency: 47.7,
   }, theme, voiceOf('tr'), { isSmall: false });
   const strokes = calls.filter(({ name, style }) => name === 'lineTo' && style.strokeStyle === theme.psi);
   const [past, future] = [strokes.filter(({ style }) => style.dash.length === 0), strokes.filter(({ style }) => style.dash.length > 0)];

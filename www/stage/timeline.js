@@ -10,7 +10,7 @@ import { drawTimeHistory } from '../view/time-history.js';
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {import('../view/canvas.js').Size} Size
- * @typedef {import('../view/time-history.js').Box} Box
+ * @typedef {import('../view/axes.js').Box} Box
  * @typedef {import('../run/scene.js').Scene} Scene
  */
 
@@ -88,7 +88,7 @@ export class Timeline extends LitElement {
       future: scene.future,
       from, to, limit,
       freeplay: scene.parameters.freeplayAngle ?? 0,
-      angle: scene.state[0],
+      value: scene.state[0],
       frequency: scene.outlook.present.frequency ?? null,
     }, theme, voice, { isSmall: !hasWords });
   };

@@ -1,13 +1,17 @@
+import { curveOf, strokeCurve } from './curve.js';
 import { linear, roundLimit } from './scale.js';
+import { ghost as ghostStyle, inStyle } from './strokes.js';
+import { drawVeil } from './veil.js';
 
 /**
  * @typedef {import('../style/theme.js').Theme} Theme
- * @typedef {import('./time-history.js').Box} Box
+ * @typedef {import('./axes.js').Box} Box
  * @typedef {{ time: ArrayLike<number>, low: ArrayLike<number>, high: ArrayLike<number> }} Envelope
  *   the least and the largest ψ about each time, ascending
  * @typedef {{
  *   past: Envelope, future: Envelope, from: number, to: number, now: number, bracket: [number, number],
- * }} Run times in s of the run
+ *   ghosts?: Envelope[], veiled?: boolean,
+ * }} Run times in s of the run; `ghosts`: pinned runs, past and future in one; `veiled`: the future is not to be seen yet
  */
 
 /** A future that grows without end is cut here, in rad, or the past would be a line. */
@@ -37,10 +41,12 @@ export function drawRunEnvelope(context, box, run, theme) {
 
   context.fillStyle = theme.psi;
   context.globalAlpha = theme.scheme === 'dark' ? 0.32 : 0.24;
-  fillBetween(context, joined(run), x, y, { ...box, left: now });
+  if (!run.veiled) fillBetween(context, joined(run), x, y, { ...box, left: now });
   context.globalAlpha = theme.scheme === 'dark' ? 0.8 : 0.78;
   fillBetween(context, run.past, x, y, { ...box, right: Math.min(now - 0.5, box.right) });
   context.globalAlpha = 1;
+  if (run.veiled) drawVeil(context, { ...box, left: Math.max(now, box.left) }, theme);
+  outlineGhosts(context, run.ghosts ?? [], x, y, box, theme);
 
   const [from, to] = run.bracket.map(x);
   context.strokeStyle = theme.ink;
@@ -54,13 +60,14 @@ export function drawRunEnvelope(context, box, run, theme) {
  * large one is still remembered.
  * @param {Run} run
  */
-function limitOf({ past, future }) {
+function limitOf({ past, future, ghosts = [] }) {
   const widest = (/** @type {Envelope} */ { low, high }) => {
     let most = 0;
     for (let i = 0; i < high.length; i++) most = Math.max(most, high[i], -low[i]);
     return most;
   };
-  return roundLimit(Math.max(widest(past), Math.min(widest(future), widestFuture), least));
+  const ahead = Math.min(Math.max(widest(future), ...ghosts.map(widest)), widestFuture);
+  return roundLimit(Math.max(widest(past), ahead, least));
 }
 
 /**
@@ -102,5 +109,24 @@ function fillBetween(context, { time, low, high }, x, y, { left: from, right: to
   context.lineTo(Math.min(from, x(time[0])), bottom(0));
   context.closePath();
   context.fill();
+  context.restore();
+}
+
+/**
+ * The edges of pinned runs' bands.
+ * @param {CanvasRenderingContext2D} context @param {Envelope[]} ghosts
+ * @param {(v: number) => number} x @param {(v: number) => number} y @param {Box} box
+ * @param {Theme} theme
+ */
+function outlineGhosts(context, ghosts, x, y, { left, right, top, bottom }, theme) {
+  if (ghosts.length === 0) return;
+  context.save();
+  context.beginPath();
+  context.rect(left, top, right - left, bottom - top);
+  context.clip();
+  inStyle(context, theme, ghostStyle, () => {
+    for (const { time, low, high } of ghosts)
+      for (const edge of [low, high]) strokeCurve(context, curveOf(time, edge, x, y));
+  });
   context.restore();
 }

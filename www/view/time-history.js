@@ -1,21 +1,31 @@
+import { drawGrid, drawNumbers } from './axes.js';
+import { cursorWords, drawCursors, widthOfReading, writeReading } from './cursors.js';
+import { curveOf, strokeCurve } from './curve.js';
+import { fillGap } from './gap.js';
+import { drawGhosts } from './ghosts.js';
+import { nameOf, quantities } from './quantities.js';
 import { linear, tickDecimals, ticks } from './scale.js';
-import { drawLabel, textFont } from './text.js';
+import { drawLabel, widthOfLabel } from './text.js';
+import { drawVeil } from './veil.js';
 
 /**
+ * @typedef {import('./axes.js').Box} Box
+ * @typedef {import('./axes.js').Mark} Mark
+ * @typedef {import('./quantities.js').Quantity} Quantity
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../words/voice.js').Voice} Voice
- * @typedef {{ left: number, right: number, top: number, bottom: number }} Box
- * @typedef {{ time: ArrayLike<number>, torsionAngle: ArrayLike<number> }} History times in s, relative to now
+ * @typedef {'torsionAngle' | 'torsionRate' | 'lateralDeformation'} StateName
+ * @typedef {{ time: ArrayLike<number> } & Partial<Record<StateName, ArrayLike<number>>>} History times in s, relative to now
  * @typedef {{
- *   past: History, future: History, from: number, to: number, limit: number, freeplay: number,
- *   angle: number, frequency: number | null,
- * }} Moment `from` … `to`: the window in s relative to now; `limit`: end of the axis in rad; `angle`: ψ now
+ *   past: History, future: History, from: number, to: number, limit: number, freeplay: number, value: number,
+ *   frequency: number | null, shown?: StateName, ghosts?: { label: string, past: History }[], cursors?: number[],
+ *   veiled?: boolean,
+ * }} Moment `from` … `to`: the window in s relative to now; `limit`: end of the axis; `value`: the shown state now;
+ *   `shown`: which state, ψ unless said; `cursors`: one or two times; `veiled`: the future is not to be seen yet
  */
 
-const degrees = 180 / Math.PI;
-
 /**
- * ψ(t) around now: past solid, future dotted, now a line with a dot.
+ * A state around now: past solid, future dotted, pinned runs dashed, now a line with a dot.
  * @param {CanvasRenderingContext2D} context
  * @param {Box} box
  * @param {Moment} moment
@@ -24,27 +34,43 @@ const degrees = 180 / Math.PI;
  * @param {{ isSmall: boolean }} options `isSmall` leaves out the words above the plot
  */
 export function drawTimeHistory(context, box, moment, theme, voice, { isSmall }) {
-  const x = linear([moment.from, moment.to], [box.left, box.right]);
-  const y = linear([-moment.limit, moment.limit], [box.bottom, box.top]);
+  const { past, future, from, to, limit, ghosts = [], cursors = [], shown = 'torsionAngle' } = moment;
+  const quantity = quantities[shown];
+  const x = linear([from, to], [box.left, box.right]);
+  const y = linear([-limit, limit], [box.bottom, box.top]);
+  const curve = (/** @type {History} */ history) => curveOf(history.time, history[shown] ?? [], x, y);
 
-  drawBand(context, box, moment, y, theme);
-  drawTimes(context, box, moment, x, theme, voice);
-  drawAngles(context, box, moment, y, theme, voice, isSmall);
+  if (shown === 'torsionAngle' && moment.freeplay > 0) {
+    const edge = Math.min(moment.freeplay, limit);
+    fillGap(context, { ...box, top: y(edge), bottom: y(-edge) }, theme);
+  }
+  const levels = levelsOf(quantity, limit, y, voice, isSmall);
+  const times = timesOf(moment, x, (box.right - box.left) / (theme.size * 3.8), voice);
+  drawGrid(context, box, times, levels, theme);
+  drawNumbers(context, box, times, levels, theme);
+  const history = cursors.length === 0 || moment.veiled ? past : joined(past, future, shown);
+  const words = cursorWords(cursors, history, shown, limit, voice);
+  const room = box.right - box.left - (words === '' ? 0 : widthOfReading(context, words, theme) + theme.size);
+  nameState(context, box, quantity, moment.frequency, theme, voice, isSmall ? null : room);
 
   context.save();
   context.beginPath();
   context.rect(box.left, box.top - 2, box.right - box.left, box.bottom - box.top + 4);
   context.clip();
-  context.strokeStyle = theme.psi;
+  drawGhosts(context, ghosts.map((ghost) => ({ curve: curve(ghost.past), isClosed: false })), theme);
+  context.strokeStyle = theme[quantity.color];
   context.lineJoin = 'round';
   context.lineWidth = 2.2 * theme.line;
-  trace(context, moment.past, x, y);
-  context.globalAlpha = 0.65;
-  context.setLineDash([2 * theme.line, 3.5 * theme.line]);
-  trace(context, moment.future, x, y);
-  context.setLineDash([]);
-  context.globalAlpha = 1;
+  strokeCurve(context, curve(past));
+  if (!moment.veiled) {
+    context.globalAlpha = 0.65;
+    context.setLineDash([2 * theme.line, 3.5 * theme.line]);
+    strokeCurve(context, curve(future));
+    context.setLineDash([]);
+    context.globalAlpha = 1;
+  }
   context.restore();
+  if (moment.veiled) drawVeil(context, { ...box, left: x(0) }, theme);
 
   context.strokeStyle = theme.ink;
   context.lineWidth = 1.5;
@@ -52,88 +78,72 @@ export function drawTimeHistory(context, box, moment, theme, voice, { isSmall })
   context.moveTo(x(0), box.top - 4);
   context.lineTo(x(0), box.bottom);
   context.stroke();
-  context.fillStyle = theme.psi;
+  context.fillStyle = theme[quantity.color];
   context.beginPath();
-  context.arc(x(0), y(moment.angle), 4.5 * Math.sqrt(theme.line), 0, 2 * Math.PI);
+  context.arc(x(0), y(moment.value), 4.5 * Math.sqrt(theme.line), 0, 2 * Math.PI);
   context.fill();
+  if (words === '') return;
+  drawCursors(context, { cursors, history, shown }, box, x, y, theme);
+  writeReading(context, words, box, theme, { isSmall });
 }
 
 /**
- * @param {CanvasRenderingContext2D} context @param {Box} box @param {Moment} moment @param {(v: number) => number} y @param {Theme} theme
+ * Past and future as one history, so that a cycle across now can be read.
+ * @param {History} past @param {History} future @param {StateName} shown @returns {History}
  */
-function drawBand(context, box, { freeplay, limit }, y, theme) {
-  if (!(freeplay > 0)) return;
-  const edge = Math.min(freeplay, limit);
-  context.globalAlpha = 0.25;
-  context.fillStyle = theme.freeplay;
-  context.fillRect(box.left, y(edge), box.right - box.left, y(-edge) - y(edge));
-  context.globalAlpha = 1;
+export function joined(past, future, shown) {
+  const end = past.time.length ? past.time[past.time.length - 1] : -Infinity;
+  let next = 0;
+  while (next < future.time.length && future.time[next] <= end) next++;
+  const both = (/** @type {ArrayLike<number>} */ one, /** @type {ArrayLike<number>} */ other) => [...Array.from(one), ...Array.from(other).slice(next)];
+  return { time: both(past.time, future.time), [shown]: both(past[shown] ?? [], future[shown] ?? []) };
 }
 
 /**
- * @param {CanvasRenderingContext2D} context @param {Box} box @param {Moment} moment @param {(v: number) => number} x
- * @param {Theme} theme @param {Voice} voice
+ * @param {Moment} moment @param {(time: number) => number} x @param {number} room how many numbers fit
+ * @param {Voice} voice @returns {Mark[]}
  */
-function drawTimes(context, box, moment, x, theme, voice) {
-  const times = ticks(moment.from * 1000, moment.to * 1000, Math.min(6, (box.right - box.left) / (theme.size * 3.8)));
+function timesOf({ from, to }, x, room, voice) {
+  const times = ticks(from * 1000, to * 1000, Math.min(6, room));
   const decimals = tickDecimals(times);
-  context.strokeStyle = theme.rule;
-  context.lineWidth = 1;
-  context.font = textFont(theme, 0.95);
-  context.fillStyle = theme.ink2;
-  context.textAlign = 'center';
-  context.textBaseline = 'alphabetic';
-  context.beginPath();
-  times.forEach((time, i) => {
-    const at = Math.round(x(time / 1000)) + 0.5;
-    context.moveTo(at, box.top);
-    context.lineTo(at, box.bottom);
+  return times.map((time, i) => {
     const number = voice.number(time, decimals);
-    const words = time === 0 ? voice.say('timeline.now') : i === 0 ? `${number} ms` : time > 0 ? `+${number}` : number;
-    const half = context.measureText(words).width / 2;
-    context.fillText(words, Math.min(at, box.right + theme.size * 0.9 - half), box.bottom + theme.size * 1.15);
+    const text = time === 0 ? voice.say('timeline.now') : i === 0 ? `${number} ms` : time > 0 ? `+${number}` : number;
+    return { at: x(time / 1000), text, isZero: false };
   });
-  context.stroke();
 }
 
 /**
- * @param {CanvasRenderingContext2D} context @param {Box} box @param {Moment} moment @param {(v: number) => number} y
- * @param {Theme} theme @param {Voice} voice @param {boolean} isSmall
+ * Zero and a round value either side: a lane has no room for more.
+ * @param {Quantity} quantity @param {number} limit @param {(value: number) => number} y @param {Voice} voice
+ * @param {boolean} isSmall @returns {Mark[]}
  */
-function drawAngles(context, box, moment, y, theme, voice, isSmall) {
-  const [tick] = ticks(0, moment.limit * degrees, 2.5).slice(-1);
-  const decimals = tick < 1 ? Math.ceil(-Math.log10(tick)) : 0;
-  context.font = textFont(theme, 0.95);
-  context.fillStyle = theme.ink2;
-  context.strokeStyle = theme.rule;
-  context.textAlign = 'right';
-  context.textBaseline = 'middle';
-  for (const angle of [tick, 0, -tick]) {
-    const at = Math.round(y(angle / degrees)) + 0.5;
-    context.strokeStyle = angle === 0 ? theme.ghost : theme.rule;
-    context.beginPath();
-    context.moveTo(box.left, at);
-    context.lineTo(box.right, at);
-    context.stroke();
-    if (angle !== 0 || !isSmall) context.fillText(`${voice.number(angle, angle === 0 ? 0 : decimals)}°`, box.left - 8, at);
-  }
-  context.fillStyle = theme.psi;
-  if (isSmall) {
-    drawLabel(context, [{ symbol: 'ψ' }], box.left - 10, y(0) + theme.size * 0.35, theme, { align: 'right' });
-    return;
-  }
-  const beat = moment.frequency ? `, ${voice.number(moment.frequency, 1)} Hz` : '';
-  const name = ` ${voice.say('state.torsionAngle')}${beat}`;
-  drawLabel(context, [{ symbol: 'ψ' }, { text: name }], box.left, box.top - theme.size * 0.65, theme, { weight: 600 });
+function levelsOf({ perSI, unit }, limit, y, voice, isSmall) {
+  const [level] = ticks(0, limit * perSI, 2.5).slice(-1);
+  const decimals = level < 1 ? Math.ceil(-Math.log10(level)) : 0;
+  return [level, 0, -level].map((value) => {
+    // In a small lane the symbol stands at zero instead.
+    const text = value === 0 && isSmall ? '' : voice.number(value, value === 0 ? 0 : decimals) + (unit === '°' ? '°' : '');
+    return { at: y(value / perSI), text, isZero: value === 0 };
+  });
 }
 
 /**
- * @param {CanvasRenderingContext2D} context @param {History} history @param {(v: number) => number} x @param {(v: number) => number} y
+ * The state's name and beat above the lane, in as many words as there is room for; within a small lane its symbol.
+ * @param {CanvasRenderingContext2D} context @param {Box} box @param {Quantity} quantity @param {number | null} frequency
+ * @param {Theme} theme @param {Voice} voice @param {number | null} room null for none
  */
-function trace(context, { time, torsionAngle }, x, y) {
-  if (time.length < 2) return;
-  context.beginPath();
-  context.moveTo(x(time[0]), y(torsionAngle[0]));
-  for (let i = 1; i < time.length; i++) context.lineTo(x(time[i]), y(torsionAngle[i]));
-  context.stroke();
+function nameState(context, box, quantity, frequency, theme, voice, room) {
+  const { symbol, dotted, unit, color } = quantity;
+  context.fillStyle = theme[color];
+  if (room === null && unit === '°') {
+    drawLabel(context, [{ symbol, dotted }], box.left - 10, (box.top + box.bottom) / 2 + theme.size * 0.35, theme, { align: 'right' });
+  } else if (room === null) {
+    drawLabel(context, nameOf(quantity, voice, true), box.left + theme.size * 0.4, box.top + theme.size, theme, { weight: 600, halo: theme.surface });
+  } else {
+    const name = nameOf(quantity, voice);
+    const wishes = [[...name, { text: frequency ? ` · ${voice.number(frequency, 1)} Hz` : '' }], name, nameOf(quantity, voice, true)];
+    const fitting = wishes.find((wish) => widthOfLabel(context, wish, theme, 600) <= room);
+    drawLabel(context, fitting ?? [{ symbol, dotted }], box.left, box.top - theme.size * 0.65, theme, { weight: 600 });
+  }
 }

@@ -10,4 +10,8 @@ export const plots = {
   'forces.restoringMoment': 'restoring moment',
 
   'plot.ghost': 'ghost: {label}',
+
+  'cursor.ago': '{time} ms ago',
+  'cursor.ahead': 'in {time} ms',
+  'cursor.peaks': 'pk–pk {value}',
 };

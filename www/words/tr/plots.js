@@ -10,4 +10,8 @@ export const plots = {
   'forces.restoringMoment': 'geri çağırma momenti',
 
   'plot.ghost': 'hayalet: {label}',
+
+  'cursor.ago': '{time} ms önce',
+  'cursor.ahead': '{time} ms sonra',
+  'cursor.peaks': 'tepe–tepe {value}',
 };
