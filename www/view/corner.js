@@ -38,8 +38,8 @@ function boxIn(frame, { width, height }, corner, away) {
   return { left, right: left + width, top, bottom: top + height };
 }
 
-/** @param {Box} one @param {Box} other */
-function overlap(one, other) {
+/** Whether two boxes share a place. @param {Box} one @param {Box} other */
+export function overlap(one, other) {
   return one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom;
 }
 

@@ -33,9 +33,9 @@ export const quantities = {
  * @returns {Run[]}
  */
 export function nameOf({ symbol, sub, dotted, word, unit }, voice, isShort = false) {
-  const isAngle = unit === '°';
-  const words = isShort && !isAngle ? unit : voice.say(word) + (isAngle ? '' : `, ${unit}`);
-  return [{ symbol, sub, dotted }, { text: ` ${words}` }];
+  const name = { symbol, sub, dotted };
+  if (unit === '°') return isShort ? [name] : [name, { text: ` ${voice.say(word)}` }];
+  return [name, { text: isShort ? ` ${unit}` : ` ${voice.say(word)}, ${unit}` }];
 }
 
 /**
