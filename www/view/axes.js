@@ -1,4 +1,5 @@
-import { linear, tickDecimals, ticks } from './scale.js';
+import { decimalsFor } from '../words/number.js';
+import { linear, powers, tickDecimals, ticks } from './scale.js';
 import { drawLabel, textFont } from './text.js';
 import { nameOf } from './quantities.js';
 
@@ -57,6 +58,24 @@ export function axisAcross(quantity, domain, frame, theme, voice) {
 export function axisUp(quantity, domain, frame, theme, voice) {
   const most = Math.min(6, (frame.bottom - frame.top) / (theme.size * 1.9));
   return axisOf(quantity, domain, [frame.bottom, frame.top], most, voice);
+}
+
+/**
+ * A logarithmic axis upward, a mark at each power of ten; what lies below it stands at its foot.
+ * @param {Quantity} quantity
+ * @param {[number, number]} domain
+ * @param {Box} frame
+ * @param {Voice} voice
+ * @returns {Axis}
+ */
+export function logAxisUp(quantity, [from, to], frame, voice) {
+  const { perSI, unit } = quantity;
+  const place = linear([Math.log10(from), Math.log10(to)], [frame.bottom, frame.top]);
+  const at = (/** @type {number} */ value) => place(Math.log10(Math.max(value, from)));
+  const marks = powers(from * perSI, to * perSI).map((power) => ({
+    at: at(power / perSI), text: voice.number(power, decimalsFor(power, 1)) + (unit === '°' ? '°' : ''), isZero: false,
+  }));
+  return { at, marks, name: (isShort) => nameOf(quantity, voice, isShort) };
 }
 
 /**

@@ -23,6 +23,8 @@ export const quantities = {
   sideForce: /** @type {Quantity} */ ({ symbol: 'F', sub: 'y', word: 'forces.sideForce', unit: 'kN', perSI: 1e-3, color: 'force' }),
   aligningMoment: /** @type {Quantity} */ ({ symbol: 'M', sub: 'z', word: 'forces.aligningMoment', unit: 'N m', perSI: 1, color: 'force' }),
   restoringMoment: /** @type {Quantity} */ ({ symbol: 'M', sub: 'k', word: 'forces.restoringMoment', unit: 'kN m', perSI: 1e-3, color: 'psi' }),
+  frequency: /** @type {Quantity} */ ({ symbol: 'f', word: 'spectrum.frequency', unit: 'Hz', perSI: 1, color: 'psi' }),
+  amplitude: /** @type {Quantity} */ ({ symbol: 'ψ', word: 'spectrum.amplitude', unit: '°', perSI: degrees, color: 'psi' }),
 };
 
 /**

@@ -24,6 +24,17 @@ export function ticks(low, high, most) {
 }
 
 /**
+ * The powers of ten within [low, high], which are above 0.
+ * @param {number} low
+ * @param {number} high
+ */
+export function powers(low, high) {
+  const first = Math.ceil(Math.log10(low) - 1e-9);
+  const last = Math.floor(Math.log10(high) + 1e-9);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => 10 ** (first + i));
+}
+
+/**
  * Decimals that tell ticks of this spacing apart.
  * @param {number[]} values
  */

@@ -14,4 +14,7 @@ export const plots = {
   'cursor.ago': '{time} ms ago',
   'cursor.ahead': 'in {time} ms',
   'cursor.peaks': 'pk–pk {value}',
+
+  'spectrum.frequency': 'frequency',
+  'spectrum.amplitude': 'amplitude',
 };

@@ -14,4 +14,7 @@ export const plots = {
   'cursor.ago': '{time} ms önce',
   'cursor.ahead': '{time} ms sonra',
   'cursor.peaks': 'tepe–tepe {value}',
+
+  'spectrum.frequency': 'frekans',
+  'spectrum.amplitude': 'genliği',
 };
