@@ -1,6 +1,6 @@
 import { decimalsFor } from '../words/number.js';
 import { linear, powers, tickDecimals, ticks } from './scale.js';
-import { drawLabel, textFont } from './text.js';
+import { drawLabel, textFont, widthOfLabel } from './text.js';
 import { nameOf } from './quantities.js';
 
 /**
@@ -90,7 +90,9 @@ export function logAxisUp(quantity, [from, to], frame, voice) {
 export function axisOf(quantity, [from, to], range, most, voice) {
   const { perSI, unit } = quantity;
   const at = linear([from, to], range);
-  const shown = ticks(from * perSI, to * perSI, most);
+  const sparse = ticks(from * perSI, to * perSI, most);
+  // A lone number gives no scale.
+  const shown = sparse.length < 3 ? ticks(from * perSI, to * perSI, 2 * most) : sparse;
   const decimals = tickDecimals(shown);
   const marks = shown.map((tick) => ({
     at: at(tick / perSI), text: voice.number(tick, decimals) + (unit === '°' ? '°' : ''), isZero: tick === 0,
@@ -104,15 +106,18 @@ export function axisOf(quantity, [from, to], range, most, voice) {
  * @param {Axis} x
  * @param {Axis} y
  * @param {Theme} theme
- * @param {'beside' | 'above'} [upName]
+ * @param {{ up: 'beside' | 'above', nameAt?: number }} [name] where the name of the upward axis stands, above the frame
+ *   or above another height
  */
-export function drawAxes(context, frame, x, y, theme, upName = 'beside') {
+export function drawAxes(context, frame, x, y, theme, { up, nameAt = frame.top } = { up: 'beside' }) {
   drawGrid(context, frame, x.marks, y.marks, theme);
   drawNumbers(context, frame, x.marks, y.marks, theme);
   context.fillStyle = theme.ink2;
-  drawLabel(context, x.name(false), frame.right, frame.bottom + theme.size * 2.7, theme, { align: 'right', weight: 600 });
-  if (upName === 'above') {
-    drawLabel(context, y.name(false), frame.left, frame.top - theme.size * 0.8, theme, { weight: 600 });
+  const nameWithin = (/** @type {Axis} */ { name }) =>
+    name(widthOfLabel(context, name(false), theme, 600) > frame.right - frame.left + theme.size);
+  drawLabel(context, nameWithin(x), frame.right, frame.bottom + theme.size * 2.7, theme, { align: 'right', weight: 600 });
+  if (up === 'above') {
+    drawLabel(context, nameWithin(y), frame.left, nameAt - theme.size * 0.8, theme, { weight: 600 });
     return;
   }
   context.save();

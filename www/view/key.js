@@ -1,4 +1,5 @@
 import { freeCorner } from './corner.js';
+import { drawHollow } from './points.js';
 import { inStyle } from './strokes.js';
 import { textFont } from './text.js';
 import { drawVeil } from './veil.js';
@@ -13,7 +14,8 @@ import { drawVeil } from './veil.js';
  * @typedef {import('./strokes.js').Style} Style
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {{ text: string, style: Style | null }} Entry without text it takes no room
- * @typedef {{ entry: Entry | 'veiled', color: string, weight?: number }} Key `veiled`: not to be read yet
+ * @typedef {{ entry: Entry | 'veiled', color: string, weight?: number, isPoint?: boolean }} Key
+ *   `veiled`: not to be read yet; `isPoint`: stands for hollow points, not for a line
  */
 
 /** Plots narrower than this have no free corners, in widths of small type. */
@@ -31,26 +33,36 @@ const mostOfFrame = 0.32;
  */
 export function placeKeys(context, frame, keys, theme) {
   const said = keys.filter(({ entry }) => entry === 'veiled' || entry.text !== '');
+  if (frame.right - frame.left < narrow * theme.size) return keysAbove(context, frame, said, theme);
   const inset = theme.size * 0.4;
   const inner = { left: frame.left + inset, right: frame.right - inset, top: frame.top + 2, bottom: frame.bottom - 4 };
-  const sizes = said.map((key) => sizeOf(context, key, theme));
-  if (frame.right - frame.left >= narrow * theme.size) {
-    const draw = (/** @type {Box[]} */ taken, /** @type {Curve[]} */ curves) => {
-      const full = [...taken];
-      said.forEach((key, i) => {
-        const box = freeCorner(inner, sizes[i], key.wishes, full, curves);
-        full.push(box);
-        drawKey(context, key, box, theme);
-      });
-    };
-    return { frame, draw };
-  }
+  const draw = (/** @type {Box[]} */ taken, /** @type {Curve[]} */ curves) => {
+    const full = [...taken];
+    for (const key of said) {
+      const box = freeCorner(inner, sizeOf(context, key, theme), key.wishes, full, curves);
+      full.push(box);
+      drawKey(context, key, box, theme);
+    }
+  };
+  return { frame, draw };
+}
+
+/**
+ * The frame below rows of keys, and what draws them.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Box} frame
+ * @param {Key[]} keys
+ * @param {Theme} theme
+ * @returns {{ frame: Box, draw: () => void }}
+ */
+export function keysAbove(context, frame, keys, theme) {
   const room = frame.top + mostOfFrame * (frame.bottom - frame.top);
-  const boxes = rowsOf(sizes, { ...inner, left: frame.left }, theme).filter(({ bottom }) => bottom <= room);
+  const sizes = keys.map((key) => sizeOf(context, key, theme));
+  const boxes = rowsOf(sizes, frame, theme).filter(({ bottom }) => bottom <= room);
   const lowest = boxes.at(-1);
   return {
     frame: lowest ? { ...frame, top: lowest.bottom + theme.size * 0.5 } : frame,
-    draw: () => boxes.forEach((box, i) => drawKey(context, said[i], box, theme)),
+    draw: () => boxes.forEach((box, i) => drawKey(context, keys[i], box, theme)),
   };
 }
 
@@ -62,7 +74,7 @@ export function placeKeys(context, frame, keys, theme) {
  * @returns {Box[]}
  */
 function rowsOf(sizes, { left, right, top }, theme) {
-  let [x, y] = [left, top - theme.size * 0.6];
+  let [x, y] = [left, top - theme.size * 0.45];
   return sizes.map(({ width, height }) => {
     if (x > left && x + width > right) [x, y] = [left, y + height];
     const box = { left: x, right: x + width, top: y, bottom: y + height };
@@ -94,7 +106,9 @@ function drawKey(context, key, box, theme) {
   const { text, style } = key.entry;
   const middle = (box.top + box.bottom) / 2;
   const { length, room } = sampleOf(theme);
-  if (style) {
+  if (key.isPoint) {
+    drawHollow(context, box.left + length / 2, middle, theme);
+  } else if (style) {
     inStyle(context, theme, style, () => {
       context.beginPath();
       context.moveTo(box.left, middle);

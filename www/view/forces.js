@@ -1,0 +1,63 @@
+import { keysOfGhosts } from './ghosts.js';
+import { keysAbove } from './key.js';
+import { drawLaw } from './law.js';
+import { inPanel, panelsIn } from './panels.js';
+import { quantities } from './quantities.js';
+
+/**
+ * @typedef {import('./canvas.js').Size} Size
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {import('../words/voice.js').Voice} Voice
+ * @typedef {import('./law.js').Law} Law
+ * @typedef {'slipAngle' | 'sideForce' | 'aligningMoment' | 'torsionAngle' | 'restoringMoment'} LawName
+ * @typedef {Record<LawName, number>} Forces
+ * @typedef {{
+ *   laws: Record<LawName, ArrayLike<number>>, limits: Forces, now: Forces,
+ *   cycle: { slipAngle: [number, number], torsionAngle: [number, number] } | null,
+ *   sideForceLimitAngle: number | null, aligningMomentLimitAngle: number | null, freeplay: number,
+ *   ghosts?: { label: string, now: Forces }[], shown?: Shown[],
+ * }} ForceLaws in SI units and radians. `laws`: columns of the curves, of the tire over slip angle, of the spring over
+ *   torsion angle; `limits`: the ends of the axes; `cycle`: least and largest angle of the last cycle; the limit angles δ
+ *   and α_g, null for a law without; `shown`: which laws, all unless said
+ * @typedef {'sideForce' | 'aligningMoment' | 'restoringMoment'} Shown
+ */
+
+/** How one, two and three laws may share the area: side by side, two over one, or one over the other. */
+const layouts = [[[1]], [[2], [1, 1]], [[3], [2, 1], [1, 1, 1]]];
+
+/**
+ * The laws that drive and hold the swing, each with the point where the gear is now: side force and aligning moment of
+ * the tire over its slip angle, restoring moment of the spring over the torsion angle.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Size} size
+ * @param {ForceLaws} forces
+ * @param {Theme} theme
+ * @param {Voice} voice
+ */
+export function drawForces(context, size, forces, theme, voice) {
+  const { cycle, ghosts = [], freeplay, shown = ['sideForce', 'aligningMoment', 'restoringMoment'] } = forces;
+  const keys = keysOfGhosts(ghosts, theme, voice).map((key) => ({ ...key, isPoint: true }));
+  const { frame, draw: drawKeys } = keysAbove(context, { left: theme.size, right: size.width - theme.size, top: theme.size * 0.9, bottom: size.height }, keys, theme);
+  const top = ghosts.length ? frame.top : 0;
+  const law = (/** @type {LawName} */ across, /** @type {LawName} */ up, /** @type {Pick<Law, 'cycle' | 'limitAngle' | 'freeplay'>} */ more) => ({
+    across: quantities[across],
+    up: quantities[up],
+    limits: { across: forces.limits[across], up: forces.limits[up] },
+    curve: { across: forces.laws[across], up: forces.laws[up] },
+    now: { across: forces.now[across], up: forces.now[up] },
+    ghosts: ghosts.map(({ now }) => ({ across: now[across], up: now[up] })),
+    ...more,
+  });
+  const limit = (/** @type {number | null} */ at, /** @type {Omit<import('./law.js').LimitAngle, 'at'>} */ name) => (at === null ? null : { ...name, at });
+  const slip = cycle?.slipAngle ?? null;
+  const laws = {
+    sideForce: law('slipAngle', 'sideForce', { cycle: slip, limitAngle: limit(forces.sideForceLimitAngle, { symbol: 'δ' }), freeplay: 0 }),
+    aligningMoment: law('slipAngle', 'aligningMoment', { cycle: slip, limitAngle: limit(forces.aligningMomentLimitAngle, { symbol: 'α', sub: 'g' }), freeplay: 0 }),
+    restoringMoment: law('torsionAngle', 'restoringMoment', { cycle: cycle?.torsionAngle ?? null, limitAngle: null, freeplay }),
+  };
+  panelsIn({ width: size.width, height: size.height - top }, layouts[shown.length - 1]).forEach((panel, i) => {
+    const box = { ...panel, top: panel.top + top, bottom: panel.bottom + top };
+    inPanel(context, box, (inner, innerSize) => drawLaw(inner, innerSize, laws[shown[i]], theme, voice));
+  });
+  drawKeys();
+}
