@@ -107,7 +107,7 @@ export class App {
     this.engine = engine;
     if (!addresses.some((address) => this.openLink(address))) {
       this.store.follow({ parameters: this.usual, run: openingRun });
-      this.store.follow({ links: linksThatHold(engine, this.usual) });
+      this.store.follow({ links: linksThatHold(engine, openingObject, this.usual) });
     }
     this.session = new Session(engine, this.store);
     this.setRate();
@@ -129,8 +129,8 @@ export class App {
     // A damaged link without a start would open on a wheel at rest, and say nothing of why.
     const isBare = read.problems.length > 0 && Object.keys(read.state.run.initial).length === 0;
     const run = isBare ? openingRun : read.state.run;
-    const { parameters, links } = read.state;
-    const holding = linksThatHold(engine, parameters);
+    const { object, parameters, links } = read.state;
+    const holding = linksThatHold(engine, object, parameters);
     const change = { ...read.state, run, links: Object.fromEntries(Object.keys(holding).map((name) => [name, holding[name] && links[name] !== false])) };
     if (session) this.store.update(change);
     else this.store.follow(change);

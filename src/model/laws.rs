@@ -65,6 +65,19 @@ pub struct Forces {
     pub spring_torque: f64,
 }
 
+/// Forces along a motion, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForceColumns {
+    /// α \[rad\].
+    pub slip_angle: Vec<f64>,
+    /// F_y \[N\].
+    pub side_force: Vec<f64>,
+    /// M_z \[N m\].
+    pub aligning_moment: Vec<f64>,
+    /// −k s(ψ) \[N m\].
+    pub spring_torque: Vec<f64>,
+}
+
 /// What each element does to the motion at a state \[W\]: positive puts energy in, or takes it out, as the name says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power {
@@ -101,6 +114,22 @@ impl Laws {
         let spring_angle = self.spring_angle(x[PSI]);
         let spring_torque = -self.stiffness * spring_angle;
         Forces { slip_angle, side_force, aligning_moment, side_force_limited, spring_angle, spring_torque }
+    }
+
+    /// Forces at every row of the states' columns, which are of the same length.
+    pub(crate) fn along(&self, states: &[Vec<f64>]) -> ForceColumns {
+        let rows = states.first().map_or(0, Vec::len);
+        let empty = || Vec::with_capacity(rows);
+        let (slip_angle, side_force) = (empty(), empty());
+        let mut columns = ForceColumns { slip_angle, side_force, aligning_moment: empty(), spring_torque: empty() };
+        for row in 0..rows {
+            let forces = self.forces(&[states[PSI][row], states[PSI_RATE][row], states[Y][row]]);
+            columns.slip_angle.push(forces.slip_angle);
+            columns.side_force.push(forces.side_force);
+            columns.aligning_moment.push(forces.aligning_moment);
+            columns.spring_torque.push(forces.spring_torque);
+        }
+        columns
     }
 
     /// Power at the state (ψ, ψ̇, y).

@@ -2,6 +2,8 @@
 
 use std::ops::Mul;
 
+use serde::Serialize;
+
 use super::{
     Mode, Model, System,
     laws::{Laws, TireLaw},
@@ -230,6 +232,16 @@ pub fn linked<T: Copy + Mul<Output = T> + From<f64>>(
 ) -> (T, T) {
     let a = half_contact_length;
     (T::from(3.0) * a, T::from(0.15) * a * a * side_force_derivative * vertical_force)
+}
+
+/// What the links give: see [`linked`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct LinkedParameters {
+    /// σ = 3a \[m\].
+    pub relaxation_length: f64,
+    /// κ = 0.15 a² c_Fα F_z \[N m²/rad\].
+    pub tread_width_moment_constant: f64,
 }
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;

@@ -1,6 +1,6 @@
 //! Reading a run from untyped input.
 
-use super::{Run, Value};
+use super::{Fields, Run, Value};
 use crate::error::{Code, Error, Result, shown};
 
 /// The keys of a run.
@@ -83,6 +83,38 @@ impl Run {
             (None, None) => {}
         }
         Ok(run)
+    }
+}
+
+impl Run {
+    /// Reads a state: as many numbers as the model has states.
+    ///
+    /// # Errors
+    /// Anything but a list of numbers; [`Run::forces`] looks at them.
+    pub fn read_state(&self, input: &Value) -> Result<Vec<f64>> {
+        let states = self.description().state;
+        let names: Vec<_> = states.iter().map(|state| state.name).collect();
+        let wrong = || wrong_type("state", input, &format!("{} numbers: {}", names.len(), names.join(", ")));
+        match input {
+            Value::Numbers(numbers) if numbers.len() == states.len() => Ok(numbers.clone()),
+            _ => Err(wrong()),
+        }
+    }
+
+    /// Reads a motion: a record with a list of numbers for every state, all of one length. What else a trajectory has
+    /// may be there.
+    ///
+    /// # Errors
+    /// Anything but such a record; [`Run::forces_along`] looks at the numbers.
+    pub fn read_states(&self, input: &Value) -> Result<Vec<Vec<f64>>> {
+        let states = self.description().state;
+        let known: Vec<_> = states.iter().map(|state| state.name).chain(["time", "events", "stats"]).collect();
+        let fields = Fields::of("columns", input, &known)?;
+        let column = |name: &str| {
+            let missing = || Error::new(Code::Missing, name, "nothing", "a list of numbers");
+            fields.numbers(name)?.ok_or_else(missing)
+        };
+        states.iter().map(|state| column(state.name)).collect()
     }
 }
 

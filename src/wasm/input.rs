@@ -138,7 +138,8 @@ fn record(js: &JsValue, field: &str, depth: usize) -> Result<Value> {
             None => format!("a symbol of {field}"),
         };
         let inner = Reflect::get(js, &key).map_err(|_| unreadable(&name))?;
-        entries.push((name.clone(), read(&inner, &name, depth + 1)?));
+        let value = read(&inner, &name, depth + 1)?;
+        entries.push((name, value));
     }
     Ok(Value::Record(entries))
 }

@@ -13,11 +13,9 @@ pub use simulator::Simulator;
 use wasm_bindgen::prelude::*;
 
 use crate::{
-    Error, Run, atlas,
+    Run, atlas,
     integrate::methods as list_of_methods,
-    model::{self, Model, Torsional, laws::Curves, torsional},
-    parameter::{Validity, check_number},
-    run::Value,
+    model::{self, laws::Curves},
     spectrum::Series,
     stability::Variation,
 };
@@ -90,7 +88,7 @@ pub fn energy(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Res
 #[wasm_bindgen(js_name = forceLaws, unchecked_return_type = "ForceLaws")]
 pub fn force_laws(
     #[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Curves | null | undefined")] curves: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "Curves | null")] curves: JsValue,
 ) -> Result<JsValue, JsValue> {
     let run = read_run(&run)?;
     let curves = input::value(&curves, "curves").and_then(|value| Curves::read(&value));
@@ -110,51 +108,34 @@ pub fn atlas() -> Result<JsValue, JsValue> {
     js_sys::JSON::parse(atlas::JSON)
 }
 
-/// Values that the links σ = 3a and κ = 0.15 a² c_Fα F_z give for these parameters of the torsional gear.
+/// Values that the links σ = 3a and κ = 0.15 a² c_Fα F_z give for the parameters of a run.
 #[wasm_bindgen(js_name = linkedParameters, unchecked_return_type = "LinkedParameters")]
-pub fn linked_parameters(
-    #[wasm_bindgen(unchecked_param_type = "Parameters | null | undefined")] parameters: JsValue,
-) -> Result<JsValue, JsValue> {
-    let run = torsional_run(&parameters)?;
-    let of = |name: &str| {
-        let index = Torsional::PARAMETERS.iter().position(|p| p.name == name);
-        index.map_or(f64::NAN, |index| run.parameters()[index])
-    };
-    let (sigma, kappa) = torsional::linked(of("halfContactLength"), of("sideForceDerivative"), of("verticalForce"));
-    let record = js_sys::Object::new();
-    output::put(&record, "relaxationLength", &sigma.into());
-    output::put(&record, "treadWidthMomentConstant", &kappa.into());
-    Ok(record.into())
+pub fn linked_parameters(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
+    output::record(&read_run(&run)?.linked_parameters().map_err(output::error)?)
 }
 
-/// Forces of the torsional gear at a state: three numbers in the order of the state table.
+/// Forces at a state, in the order of the state table.
 #[wasm_bindgen(unchecked_return_type = "Forces")]
 pub fn forces(
-    #[wasm_bindgen(unchecked_param_type = "Parameters | null | undefined")] parameters: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Float64Array | number[]")] state: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let run = torsional_run(&parameters)?;
-    let refused = |got: String| {
-        let allowed = "three numbers: torsionAngle, torsionRate, lateralDeformation";
-        output::error(Error::new(crate::Code::WrongType, "state", got, allowed))
-    };
-    match input::value(&state, "state").map_err(output::error)? {
-        Value::Numbers(x) if x.len() == 3 => {
-            for (state, value) in Torsional::STATE.iter().zip(&x) {
-                check_number(state.name, *value, Validity::Finite, state.unit).map_err(output::error)?;
-            }
-            output::record(&Torsional::laws(run.parameters()).map(|laws| laws.forces(&x)))
-        }
-        other => Err(refused(other.shown())),
-    }
+    let run = read_run(&run)?;
+    let state = input::value(&state, "state").and_then(|value| run.read_state(&value)).map_err(output::error)?;
+    output::record(&run.forces(&state).map_err(output::error)?)
+}
+
+/// Forces along a motion: what `forces` says, row by row.
+#[wasm_bindgen(js_name = forcesAlong, unchecked_return_type = "ForceColumns")]
+pub fn forces_along(
+    #[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Columns")] columns: JsValue,
+) -> Result<JsValue, JsValue> {
+    let run = read_run(&run)?;
+    let states = input::value(&columns, "columns").and_then(|value| run.read_states(&value)).map_err(output::error)?;
+    Ok(output::forces_along(&run.forces_along(&states).map_err(output::error)?).into())
 }
 
 fn read_run(run: &JsValue) -> Result<Run, JsValue> {
     input::value(run, "run").and_then(|value| Run::read(&value)).map_err(output::error)
-}
-
-fn torsional_run(parameters: &JsValue) -> Result<Run, JsValue> {
-    let parameters = input::value(parameters, "parameters").map_err(output::error)?;
-    let model = Value::Text(Torsional::NAME.into());
-    Run::read(&Value::Record(vec![("model".into(), model), ("parameters".into(), parameters)])).map_err(output::error)
 }

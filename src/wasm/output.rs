@@ -8,7 +8,7 @@ use crate::{
     Error, Run,
     integrate::{Stats, Trajectory},
     live::{Columns, Envelope},
-    model::laws::ForceLaws,
+    model::laws::{ForceColumns, ForceLaws},
     outlook::Outlook,
     parameter::StateVariable,
     spectrum::Spectrum,
@@ -102,6 +102,15 @@ pub(super) fn outlook(run: &Run, outlook: Outlook) -> Result<JsValue, JsValue> {
     put(&object, "envelope", &envelope(&outlook.envelope).into());
     put(&object, "orbit", &columns(states, outlook.orbit).into());
     Ok(object.into())
+}
+
+pub(super) fn forces_along(columns: &ForceColumns) -> Object {
+    let object = Object::new();
+    put(&object, "slipAngle", &series(&columns.slip_angle));
+    put(&object, "sideForce", &series(&columns.side_force));
+    put(&object, "aligningMoment", &series(&columns.aligning_moment));
+    put(&object, "springTorque", &series(&columns.spring_torque));
+    object
 }
 
 pub(super) fn force_laws(laws: &ForceLaws) -> Result<JsValue, JsValue> {

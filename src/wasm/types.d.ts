@@ -90,6 +90,8 @@ export interface Energy {
   /** kinetic + spring */
   stored: number;
 }
+/** Forces along a motion, row by row: rad, N, N m, N m. */
+export interface ForceColumns { slipAngle: Float64Array; sideForce: Float64Array; aligningMoment: Float64Array; springTorque: Float64Array }
 /** What to draw of the force laws: angles in rad, each curve from −angle to +angle. */
 export interface Curves {
   /** below 90°; 20° */

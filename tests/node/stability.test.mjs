@@ -54,7 +54,7 @@ test('what is linked follows', () => {
   assert.deepEqual(shimmy.unstableIntervals(SHIMMY, { ...range, linked: { relaxationLength: false } }), alone);
   for (const { from, to } of linked) {
     const middle = (from + to) / 2;
-    const follow = shimmy.linkedParameters({ halfContactLength: middle });
+    const follow = shimmy.linkedParameters(gear({ halfContactLength: middle }));
     assert.equal(shimmy.routhHurwitz(gear({ ...SHIMMY.parameters, halfContactLength: middle, ...follow })).stable, false);
   }
 });

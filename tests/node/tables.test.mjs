@@ -80,10 +80,13 @@ test('every method listed runs and names itself', () => {
 });
 
 test('the relations of the tire are offered: σ = 3a, κ = 0.15 a² c_Fα F_z', () => {
-  const linked = shimmy.linkedParameters({ halfContactLength: 0.2, sideForceDerivative: 10, verticalForce: 5000 });
-  assert.ok(isPlain(linked));
-  assert.ok(Math.abs(linked.relaxationLength - 0.6) < 1e-15);
-  assert.ok(Math.abs(linked.treadWidthMomentConstant - 300) < 1e-10);
+  for (const model of ['torsional', 'torsional-linear']) {
+    const parameters = { halfContactLength: 0.2, sideForceDerivative: 10, verticalForce: 5000 };
+    const linked = shimmy.linkedParameters({ model, parameters });
+    assert.ok(isPlain(linked));
+    assert.ok(Math.abs(linked.relaxationLength - 0.6) < 1e-15);
+    assert.ok(Math.abs(linked.treadWidthMomentConstant - 300) < 1e-10);
+  }
 });
 
 test('they are never applied in silence: half the contact length alone changes only itself', () => {

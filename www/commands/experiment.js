@@ -21,7 +21,7 @@ export function experimentCommands(app) {
     resetAll: () => {
       if (!app.engine) return;
       store.follow({ object: openingObject });
-      const links = linksThatHold(app.engine, app.usual);
+      const links = linksThatHold(app.engine, openingObject, app.usual);
       store.update({ parameters: app.usual, links, run: { ...openingRun }, clock: { mode: 'slow', slow: null } });
     },
     /** @param {string} name of a value that follows others */

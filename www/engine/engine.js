@@ -8,6 +8,7 @@
  * @typedef {import('../pkg/shimmy.js').Outlook} Outlook
  * @typedef {import('../pkg/shimmy.js').Model} Model
  * @typedef {import('../pkg/shimmy.js').Energy} Energy
+ * @typedef {import('../pkg/shimmy.js').Columns} Columns
  */
 
 import init, * as engine from '../pkg/shimmy.js';

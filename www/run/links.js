@@ -16,15 +16,15 @@ export const followed = {
  * Values with those that follow them.
  * @param {Engine} engine
  * @param {Record<string, number>} set
- * @param {Readonly<Record<string, number>>} parameters all that are in force
+ * @param {{ object: string, parameters: Readonly<Record<string, number>> }} gear with all values in force
  * @param {Links} links
  * @returns {Record<string, number>}
  */
-export function withFollowers(engine, set, parameters, links) {
+export function withFollowers(engine, set, { object: model, parameters }, links) {
   const names = Object.keys(followed).filter((name) => links[name] && followed[name].some((source) => source in set));
   if (names.length === 0) return set;
   /** @type {Record<string, number>} */
-  const values = { ...engine.linkedParameters({ ...parameters, ...set }) };
+  const values = { ...engine.linkedParameters({ model, parameters: { ...parameters, ...set } }) };
   // Rounded as a person would write it: 3 × 0.1 is 0.3.
   return { ...set, ...Object.fromEntries(names.map((name) => [name, Number(values[name].toPrecision(15))])) };
 }
@@ -41,11 +41,12 @@ export function linksBrokenBy(name, links) {
 /**
  * Which links these values keep: where values come from elsewhere, a relation that does not hold is not forced on them.
  * @param {Engine} engine
+ * @param {string} model
  * @param {Readonly<Record<string, number>>} parameters
  * @returns {Links}
  */
-export function linksThatHold(engine, parameters) {
-  const values = engine.linkedParameters(parameters);
+export function linksThatHold(engine, model, parameters) {
+  const values = engine.linkedParameters({ model, parameters });
   return Object.fromEntries(Object.keys(followed).map((name) => {
     const value = values[/** @type {keyof typeof values} */ (name)];
     return [name, Math.abs(parameters[name] - value) <= 1e-9 * Math.abs(value)];

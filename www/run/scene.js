@@ -49,7 +49,7 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
   const model = { model: object, parameters };
   return {
     object, time, state, parameters,
-    forces: engine.forces(parameters, state),
+    forces: engine.forces(model, state),
     past,
     orbitPast: live.history(since(pastCycles * beat), time, pastCycles * samplesPerCycle),
     track: tracked(live, 0),

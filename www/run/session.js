@@ -190,7 +190,7 @@ export class Session {
     const { state } = this.#store;
     const links = linksBrokenBy(name, state.links);
     try {
-      this.#apply(withFollowers(this.#engine, { [name]: value }, this.#live.parameters, links), gesture);
+      this.#apply(withFollowers(this.#engine, { [name]: value }, this.#live, links), gesture);
     } catch (error) {
       return /** @type {Refusal} */ (error);
     }
@@ -207,7 +207,7 @@ export class Session {
     if (links[name]) {
       const { parameters } = this.#live;
       const sources = Object.fromEntries(followed[name].map((source) => [source, parameters[source]]));
-      this.#apply(withFollowers(this.#engine, sources, parameters, { [name]: true }), null);
+      this.#apply(withFollowers(this.#engine, sources, this.#live, { [name]: true }), null);
     }
     this.#store.update({ parameters: { ...this.#live.parameters }, links });
     this.settle();
@@ -399,13 +399,11 @@ export class Session {
     const cycle = this.#engine.simulate({ ...run, duration: 1 / (this.frequency ?? 50), samples: 60, rtol: 1e-6 });
     let force = 1;
     let moment = 1;
-    for (const { torsionAngle, torsionRate, lateralDeformation } of [cycle, this.outlook.orbit]) {
-      const stride = Math.max(1, Math.floor(torsionAngle.length / 60));
-      for (let i = 0; i < torsionAngle.length; i += stride) {
-        const now = this.#engine.forces(run.parameters, Float64Array.of(torsionAngle[i], torsionRate[i], lateralDeformation[i]));
-        force = Math.max(force, Math.abs(now.sideForce));
-        moment = Math.max(moment, Math.abs(now.aligningMoment));
-      }
+    for (const motion of [cycle, this.outlook.orbit]) {
+      if (motion.time.length === 0) continue;
+      const { sideForce, aligningMoment } = this.#engine.forcesAlong(run, columnsOf(motion));
+      force = sideForce.reduce((most, value) => Math.max(most, Math.abs(value)), force);
+      moment = aligningMoment.reduce((most, value) => Math.max(most, Math.abs(value)), moment);
     }
     return { force: roundLimit(force), moment: roundLimit(moment) };
   }
@@ -431,6 +429,9 @@ export class Session {
     this.#isStale = true;
   }
 }
+
+/** The columns of a motion without what else came with it. @param {import('../engine/engine.js').Columns} columns */
+const columnsOf = ({ time, torsionAngle, torsionRate, lateralDeformation }) => ({ time, torsionAngle, torsionRate, lateralDeformation });
 
 /** A wheel in a hand, by name. @param {number} angle ψ in rad */
 const held = (angle) => ({ torsionAngle: angle, torsionRate: 0 });
