@@ -57,7 +57,8 @@ export function drawOrbit(context, size, motion, theme, voice) {
   const trail = path(motion.trail);
   const orbit = path(veiled ? {} : motion.orbit, true);
   const pinned = ghosts.map((ghost) => path(ghost.orbit ?? ghost.trail ?? {}, ghost.orbit !== undefined));
-  const [now] = pointsOf([motion.state[0]], [motion.state[1]], [motion.state[2]], limits);
+  /** @type {[number, number, number]} */
+  const now = [motion.state[0] / limits.angle, motion.state[1] / limits.rate, motion.state[2] / limits.deformation];
 
   drawFaces(context, projection, axes, theme);
   drawGapOnFloor(context, freeplay / limits.angle, projection, theme);
@@ -71,26 +72,19 @@ export function drawOrbit(context, size, motion, theme, voice) {
   drawKeys(words, [trail, orbit, ...pinned].map(({ shown }) => shown));
 }
 
-/**
- * Places in the box.
- * @param {ArrayLike<number>} angle @param {ArrayLike<number>} rate @param {ArrayLike<number>} deformation @param {Limits} limits
- * @returns {[number, number, number][]}
- */
-function pointsOf(angle, rate, deformation, limits) {
-  return Array.from(angle, (_, i) => [angle[i] / limits.angle, rate[i] / limits.rate, deformation[i] / limits.deformation]);
-}
-
 /** @param {States} states @param {Limits} limits @param {Projection} projection @param {boolean} isClosed @returns {Path} */
 function pathOf({ torsionAngle = [], torsionRate = [], lateralDeformation = [] }, limits, projection, isClosed) {
-  const points = pointsOf(torsionAngle, torsionRate, lateralDeformation, limits);
-  const across = points.map(([x, y]) => projection.across(x, y));
+  const count = torsionAngle.length;
+  const [across, up, floor, near] = Array.from({ length: 4 }, () => new Float64Array(count));
+  for (let i = 0; i < count; i++) {
+    const [x, y, z] = [torsionAngle[i] / limits.angle, torsionRate[i] / limits.rate, lateralDeformation[i] / limits.deformation];
+    across[i] = projection.across(x, y);
+    up[i] = projection.up(x, y, z);
+    floor[i] = projection.up(x, y, -1);
+    near[i] = projection.nearness(x, y, z);
+  }
   const same = (/** @type {number} */ value) => value;
-  return {
-    shown: curveOf(across, points.map((point) => projection.up(...point)), same, same),
-    shadow: curveOf(across, points.map(([x, y]) => projection.up(x, y, -1)), same, same),
-    nearness: (i) => projection.nearness(...points[i]),
-    isClosed,
-  };
+  return { shown: curveOf(across, up, same, same), shadow: curveOf(across, floor, same, same), nearness: (i) => near[i], isClosed };
 }
 
 /**
