@@ -108,7 +108,10 @@ export class Loop {
     // A hand that lets go has the session look ahead by itself, so the outlook is asked for and not who made it.
     if (!isDue && session.outlook === this.#shown) return;
     this.#shown = session.outlook;
-    if (isDue) this.#lookedAt = now;
+    if (isDue) {
+      this.#lookedAt = now;
+      session.ghosts.refresh();
+    }
     app.isLookDue = false;
     app.lockStrobe();
     const { seen, energy, time, frequency, ghosts } = session;

@@ -4,6 +4,7 @@ import './notice.js';
 import './controls/dock.js';
 import './controls/drawer.js';
 import './lens/tabs.js';
+import './lens/why.js';
 import './stage/stage.js';
 import { App } from './app.js';
 import { loadEngine } from './engine/engine.js';
@@ -63,7 +64,8 @@ export class Page extends LitElement {
         <section class="lens" aria-label=${voice.say('lens.name')}>
           <shimmy-notice .voice=${voice} .notes=${app.notes}></shimmy-notice>
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}></shimmy-lens-tabs>
-          ${lensElement(lens, { voice, shows: views[lens] ?? '', isVeiled })}
+          ${lensElement(lens, { voice, shows: views[lens] ?? '', isVeiled, quantities })}
+          ${lens === 'compare' ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
           ${app.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.all', { count: quantities.length })} .voice=${voice}
             .quantities=${quantities} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
             .isVeiled=${isVeiled}></shimmy-drawer>` : ''}

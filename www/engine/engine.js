@@ -9,6 +9,8 @@
  * @typedef {import('../pkg/shimmy.js').Model} Model
  * @typedef {import('../pkg/shimmy.js').Energy} Energy
  * @typedef {import('../pkg/shimmy.js').Columns} Columns
+ * @typedef {import('../pkg/shimmy.js').Curves} Curves
+ * @typedef {import('../pkg/shimmy.js').Forces} Forces
  */
 
 import init, * as engine from '../pkg/shimmy.js';

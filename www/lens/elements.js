@@ -1,12 +1,15 @@
 import { html, unsafeStatic } from 'lit/static-html.js';
+import './compare.js';
+import './forces.js';
 import './phase.js';
 
 /**
  * The element of a lens that is ready.
  * @param {string} lens
- * @param {{ voice: import('../words/voice.js').Voice, shows: string, isVeiled: boolean }} given
+ * @param {{ voice: import('../words/voice.js').Voice, shows: string, isVeiled: boolean, quantities: import('../controls/quantity.js').Quantity[] }} given
  */
-export function lensElement(lens, { voice, shows, isVeiled }) {
+export function lensElement(lens, { voice, shows, isVeiled, quantities }) {
   const tag = unsafeStatic(`shimmy-${lens}-lens`);
-  return html`<${tag} id="lens-panel" role="tabpanel" aria-labelledby="tab-${lens}" .voice=${voice} .shows=${shows} .isVeiled=${isVeiled}></${tag}>`;
+  return html`<${tag} id="lens-panel" role="tabpanel" aria-labelledby="tab-${lens}" .voice=${voice} .shows=${shows} .isVeiled=${isVeiled}
+    .quantities=${quantities}></${tag}>`;
 }

@@ -12,10 +12,10 @@
  */
 export const lenses = [
   { name: 'phase', ready: true },
-  { name: 'forces', ready: false },
+  { name: 'forces', ready: true },
   { name: 'stability', ready: false },
   { name: 'cycles', ready: false },
   { name: 'damper', ready: false },
   { name: 'landing', ready: false },
-  { name: 'compare', ready: false },
+  { name: 'compare', ready: true },
 ];

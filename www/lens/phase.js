@@ -1,74 +1,133 @@
-import { LitElement, html } from 'lit';
+import { html } from 'lit';
 import { tell } from '../command.js';
-import '../view/canvas.js';
+import { drawDeformationPortrait } from '../view/deformation-portrait.js';
+import { firstLook, turnedByDrag, turnedByKey } from '../view/look.js';
+import { drawOrbit } from '../view/orbit.js';
 import { drawPhasePortrait } from '../view/phase-portrait.js';
-import { decimalsFor } from '../words/number.js';
+import { roundStep } from '../view/scale.js';
+import { drawSpectrum } from '../view/spectrum.js';
+import { PlotLens } from './plot-lens.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
- * @typedef {import('../style/theme.js').Theme} Theme
- * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {import('../run/scene.js').Scene} Scene
+ * @typedef {import('../view/look.js').Look} Look
+ * @typedef {import('../words/voice.js').Voice} Voice
  */
 
 const degrees = 180 / Math.PI;
+/** The spectrum shows the beat and its odd harmonics up to the fifth. */
+const harmonicsShown = 5.5;
 
-/** The lens *Phase*: ψ̇ over ψ, and in one line the motion it settles on. */
-export class PhaseLens extends LitElement {
-  static properties = { outlook: { attribute: false }, voice: { attribute: false }, shows: { attribute: false }, isVeiled: { attribute: false } };
+/**
+ * The lens *Phase*: the motion in its state space, as ψ̇ over ψ, y over ψ, the whole orbit that a hand can turn, or by its
+ * frequencies; and in one line the motion it settles on.
+ */
+export class PhaseLens extends PlotLens {
+  /** How the orbit is looked at while a hand turns it. @type {Look | null} */ #turning = null;
+  /** @type {{ x: number, y: number } | null} */ #grip = null;
 
-  /** @type {Scene | null} */ #scene = null;
-  /** @type {Theme | null} */ #theme = null;
-
-  constructor() {
-    super();
-    /** @type {Outlook | null} */ this.outlook = null;
-    /** @type {Voice | null} */ this.voice = null;
-    /** Whether what would tell the future is hidden. */
-    this.isVeiled = false;
-    /** Which of its views. */ this.shows = '';
+  get views() {
+    return ['portrait', 'deformation', 'orbit', 'spectrum', 'spectrum-log'];
   }
 
-  createRenderRoot() {
-    return this;
+  /** @param {string} name @param {Voice} voice */
+  nameOfView(name, voice) {
+    return voice.say(/** @type {import('../words/voice.js').Key} */ (`phase.view.${name}`));
   }
 
-  render() {
-    const { voice, outlook } = this;
-    if (!voice) return html``;
-    return html`
-      <shimmy-canvas .label=${voice.say('phase.name')} .paint=${this.#paint}></shimmy-canvas>
-      <footer>
-        <p class="destination">${outlook ? destination(outlook, voice) : ''}</p>
-        <button type="button" class="framed" title="${voice.say('phase.fit.does')} (0)" @click=${() => tell(this, 'fit')}>
-          ${voice.say('phase.fit')}
-        </button>
-      </footer>`;
+  /** @param {Voice} voice */
+  label(voice) {
+    return voice.say(/** @type {import('../words/voice.js').Key} */ (this.view === 'portrait' ? 'phase.name' : `phase.name.${this.view}`));
   }
 
-  /** @param {Scene} scene @param {Theme} theme */
-  draw(scene, theme) {
-    this.#scene = scene;
-    this.#theme = theme;
-    /** @type {import('../view/canvas.js').Canvas | null} */ (this.querySelector('shimmy-canvas'))?.redraw();
+  /** @param {Voice} voice */
+  line(voice) {
+    return html`<p class="destination">${this.outlook && !this.isVeiled ? destination(this.outlook, voice) : ''}</p>`;
   }
 
-  /** @type {import('../view/canvas.js').Paint} */
-  #paint = (context, size) => {
-    const { voice } = this;
-    const scene = this.#scene;
-    const theme = this.#theme;
-    if (!voice || !scene || !theme) return;
+  /** @param {Voice} voice */
+  plot(voice) {
+    if (this.view !== 'orbit') return super.plot(voice);
+    return html`<div class="turntable" tabindex="0" role="application" aria-label=${voice.say('phase.turn')} title=${voice.say('phase.turn')}
+      @pointerdown=${this.#grab} @pointermove=${this.#drag} @pointerup=${this.#release} @pointercancel=${this.#release}
+      @keydown=${this.#key}>${super.plot(voice)}</div>`;
+  }
+
+  /** @type {PlotLens['paintScene']} */
+  paintScene(context, size, scene, theme, voice) {
+    if (this.view.startsWith('spectrum')) {
+      this.#paintSpectrum(context, size, scene, theme, voice);
+      return;
+    }
     const { outlook, scales, orbitPast, state, parameters } = scene;
-    drawPhasePortrait(context, size, {
+    const motion = {
       limits: scales.limits,
       trail: orbitPast,
       orbit: outlook.orbit,
       orbitLabel: voice.say(`phase.heads.${outlook.verdict}`),
       state,
       freeplay: parameters.freeplayAngle ?? 0,
-    }, theme, voice);
-  };
+      ghosts: scene.ghosts.map((ghost) => ({
+        label: this.labelOf(scene, ghost, voice),
+        ...(ghost.outlook?.orbit.time.length && !this.isVeiled ? { orbit: ghost.outlook.orbit } : { trail: ghost.orbitPast }),
+      })),
+      veiled: this.isVeiled,
+    };
+    if (this.view === 'orbit') drawOrbit(context, size, { ...motion, look: this.#look }, theme, voice);
+    else if (this.view === 'deformation') drawDeformationPortrait(context, size, motion, theme, voice);
+    else drawPhasePortrait(context, size, motion, theme, voice);
+  }
+
+  /** @type {PlotLens['paintScene']} */
+  #paintSpectrum(context, size, scene, theme, voice) {
+    const spectrum = scene.spectrum() ?? { frequency: new Float64Array(), amplitude: new Float64Array(), peak: null };
+    const beat = scene.frequency ?? 50;
+    const limits = { frequency: Math.ceil((harmonicsShown * beat) / roundStep(beat)) * roundStep(beat), amplitude: scene.scales.limits.angle };
+    drawSpectrum(context, size, { spectrum, limits, isLogarithmic: this.view === 'spectrum-log' }, theme, voice);
+  }
+
+  /** @returns {Look} */
+  get #look() {
+    if (this.#turning) return this.#turning;
+    const [, yaw, pitch] = this.shows.split(',').map(Number);
+    return Number.isFinite(yaw) && Number.isFinite(pitch) ? { yaw: yaw / degrees, pitch: pitch / degrees } : firstLook;
+  }
+
+  /** Keeps the look in the state, in whole degrees. @param {Look} look */
+  #keep({ yaw, pitch }) {
+    this.#turning = null;
+    tell(this, 'view', { of: 'phase', shows: `orbit,${Math.round(yaw * degrees)},${Math.round(pitch * degrees)}` });
+  }
+
+  /** @param {PointerEvent} event */
+  #grab(event) {
+    if (event.button !== 0) return;
+    this.#grip = { x: event.clientX, y: event.clientY };
+    /** @type {HTMLElement} */ (event.currentTarget).setPointerCapture(event.pointerId);
+  }
+
+  /** @param {PointerEvent} event */
+  #drag(event) {
+    if (!this.#grip) return;
+    this.#turning = turnedByDrag(this.#look, event.clientX - this.#grip.x, event.clientY - this.#grip.y);
+    this.#grip = { x: event.clientX, y: event.clientY };
+    this.canvas?.redraw();
+  }
+
+  #release() {
+    this.#grip = null;
+    if (this.#turning) this.#keep(this.#turning);
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const turned = turnedByKey(this.#look, event.key, event.shiftKey);
+    if (!turned) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#keep(turned);
+  }
 }
 
 /**
@@ -81,9 +140,17 @@ export function destination({ verdict, amplitude, frequency }, voice) {
   if (verdict === 'grows' || !frequency) return voice.say('phase.grows');
   return voice.say(verdict === 'rattles' ? 'phase.rattle' : 'phase.cycle', {
     degrees: `±${voice.number(amplitude.torsionAngle * degrees, 3)}°`,
-    radians: voice.number(amplitude.torsionAngle, decimalsFor(amplitude.torsionAngle, 5)),
+    radians: voice.number(amplitude.torsionAngle, significant(amplitude.torsionAngle, 5)),
     frequency: voice.number(frequency, 2),
   });
+}
+
+/**
+ * Decimals that show so many significant digits.
+ * @param {number} value @param {number} digits
+ */
+function significant(value, digits) {
+  return Math.max(0, digits - 1 - Math.floor(Math.log10(value || 1)));
 }
 
 customElements.define('shimmy-phase-lens', PhaseLens);

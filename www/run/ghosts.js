@@ -18,7 +18,6 @@ const stepsAhead = 30_000;
 export class Ghosts {
   #engine;
   /** @type {Ghost[]} */ #all = [];
-  #isStale = false;
 
   /** @param {Engine} engine */
   constructor(engine) {
@@ -37,7 +36,6 @@ export class Ghosts {
   follow(kept, time) {
     for (const { kept: old, live } of this.#all) if (!kept.includes(old)) live.free();
     this.#all = kept.flatMap((one) => this.#all.find((ghost) => ghost.kept === one) ?? this.#begun(one) ?? []);
-    this.#isStale = true;
     this.goTo(time);
     this.refresh();
   }
@@ -55,10 +53,8 @@ export class Ghosts {
     }
   }
 
-  /** Looks where they go; they change only by being pinned, so once is enough. */
+  /** Looks where they go, and what goes in and out of each now. */
   refresh() {
-    if (!this.#isStale) return;
-    this.#isStale = false;
     for (const ghost of this.#all) {
       const { object: model, parameters, stateByName: initial } = ghost.live;
       const run = { model, parameters, initial, maxSteps: stepsAhead };

@@ -18,6 +18,9 @@ import { spanFor } from './fit.js';
 
 const pastCycles = 8;
 const samplesPerCycle = 64;
+/** A spectrum looks back so many cycles, and needs a few. */
+const spectrumCycles = 32;
+const fewestCycles = 3;
 /** Poses of a fan, spread over the exposure of a frame. */
 const poses = 16;
 
@@ -65,7 +68,44 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
       track: tracked(run, kept.from),
     })),
     roll, outlook, scales, energy, frequency,
+    ...looksFurther(engine, live, beat),
   };
+}
+
+/**
+ * What only some lenses look at: computed when one asks, within the frame of the scene.
+ * @param {Engine} engine @param {LiveRun} live @param {number} beat in s
+ */
+function looksFurther(engine, live, beat) {
+  const { time, parameters, object } = live;
+  const model = { model: object, parameters };
+  const [earliest] = live.range;
+  return {
+    /** The force laws as curves. @param {import('../engine/engine.js').Curves} curves */
+    laws: (curves) => engine.forceLaws(model, curves),
+    /** Least and largest slip and torsion angle of the last cycle; null where there is none yet. */
+    lastCycle: () => {
+      if (time - beat < earliest) return null;
+      const { time: times, torsionAngle, torsionRate, lateralDeformation } = live.history(time - beat, time, samplesPerCycle);
+      const { slipAngle } = engine.forcesAlong(model, { time: times, torsionAngle, torsionRate, lateralDeformation });
+      return { slipAngle: rangeOf(slipAngle), torsionAngle: rangeOf(torsionAngle) };
+    },
+    /** Amplitudes of ψ by frequency, over the last cycles; null just after the start. */
+    spectrum: () => {
+      const cycles = Math.min(spectrumCycles, Math.floor((time - earliest) / beat));
+      if (cycles < fewestCycles) return null;
+      const samples = cycles * samplesPerCycle;
+      const { torsionAngle } = live.history(time - cycles * beat, time, samples + 1);
+      return engine.spectrum({ values: torsionAngle, interval: beat / samplesPerCycle });
+    },
+    /** The forces of a ghost at its state. @param {{ kept: { object: string }, parameters: Readonly<Record<string, number>>, state: Float64Array }} ghost */
+    forcesOf: (ghost) => engine.forces({ model: ghost.kept.object, parameters: ghost.parameters }, ghost.state),
+  };
+}
+
+/** @param {Float64Array} values @returns {[number, number]} */
+function rangeOf(values) {
+  return [values.reduce((least, value) => Math.min(least, value), Infinity), values.reduce((most, value) => Math.max(most, value), -Infinity)];
 }
 
 /** @template {{ time: Float64Array }} Columns @param {Columns} columns @param {number} later in s @returns {Columns} */

@@ -217,7 +217,6 @@ export class Session {
   refresh() {
     this.#isStale = false;
     this.outlook = this.#tried(() => this.#lookAhead()) ?? this.outlook;
-    this.ghosts.refresh();
     if (this.#swing().angle * this.scales.magnification > widestDrawn) this.fit();
   }
 
