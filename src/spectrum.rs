@@ -15,6 +15,8 @@ use crate::{
 
 /// Fewest and most values of a series.
 const LENGTH: std::ops::RangeInclusive<usize> = 2..=65_536;
+/// An amplitude can be several times the largest value, and must be a number too.
+const LARGEST: f64 = 1e300;
 /// A peak below this part of the largest value is rounding.
 const NOTHING: f64 = 1e-12;
 
@@ -62,6 +64,9 @@ impl Series {
         if let Some((index, value)) = values.iter().enumerate().find(|(_, value)| !value.is_finite()) {
             return refused(Code::NotFinite, format!("{} at index {index}", shown(*value)), "finite numbers");
         }
+        if let Some(value) = values.iter().find(|value| value.abs() > LARGEST) {
+            return refused(Code::OutOfRange, shown(*value), "at most 1e300 in magnitude");
+        }
         check_number("interval", interval, Validity::Positive, "s")?;
         if !(1.0 / interval).is_finite() {
             return Err(Error::new(Code::OutOfRange, "interval", shown(interval), "at least 1e-300 s"));
@@ -94,12 +99,13 @@ impl Series {
     pub fn spectrum(&self) -> Spectrum {
         let n = self.values.len();
         let largest = self.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let unit = if largest > 0.0 { 1.0 / largest } else { 0.0 };
+        // In units of the largest value: squares and sums stay within the numbers.
+        let unit = if largest > 0.0 { largest } else { 1.0 };
         let window: Vec<f64> = (0..n).map(|i| 1.0 - (2.0 * PI * i as f64 / n as f64).cos()).collect();
         let weight: f64 = window.iter().sum();
-        let mean = self.values.iter().zip(&window).map(|(value, w)| value * unit * w).sum::<f64>() / weight;
+        let mean = self.values.iter().zip(&window).map(|(value, w)| value / unit * w).sum::<f64>() / weight;
         let mut weighed: Vec<Complex> =
-            self.values.iter().zip(&window).map(|(value, w)| [(value * unit - mean) * w, 0.0]).collect();
+            self.values.iter().zip(&window).map(|(value, w)| [(value / unit - mean) * w, 0.0]).collect();
         transform(&mut weighed);
         let size = |k: usize| {
             // Each frequency but the first and the last shares its sinusoid with its mirror.

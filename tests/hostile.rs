@@ -5,7 +5,10 @@ use proptest::prelude::*;
 use shimmy::{
     Error, Run,
     live::Simulator,
+    model::laws::Curves,
     run::{MOST_SAMPLES, Value},
+    spectrum::Series,
+    stability::Variation,
 };
 
 /// A run that is damaged still ends after so many steps.
@@ -193,6 +196,22 @@ fn attempt(input: &Value) {
         }
         Err(error) => assert_speaks(&error),
     }
+    match run.routh_hurwitz() {
+        Ok(theory) => {
+            assert_finite("the Routh column", &theory.column);
+            assert_finite("a critical velocity", &theory.critical_velocities);
+            assert_finite("the critical damping", &theory.critical_damping.into_iter().collect::<Vec<_>>());
+        }
+        Err(error) => assert_speaks(&error),
+    }
+    match run.energy() {
+        Ok(energy) => {
+            let parts =
+                energy.map(|e| vec![e.duration, e.tire, e.damper, e.tread_width, e.kinetic, e.spring, e.stored]);
+            assert_finite("an energy", &parts.unwrap_or_default());
+        }
+        Err(error) => assert_speaks(&error),
+    }
     match run.live() {
         Ok(mut simulator) => {
             for _ in 0..3 {
@@ -242,6 +261,71 @@ proptest! {
             }
             assert_finite("the live state", &live.state());
             prop_assert!(live.time().is_finite());
+        }
+    }
+
+    #[test]
+    fn what_is_asked_of_a_gear_is_answered_or_refused(
+        run in run_like(),
+        (parameter, from, to, linked) in (name(), amount(), amount(), value()),
+        (state, curves, anything) in (prop::collection::vec(amount(), 0..5), record(&["slipAngle", "torsionAngle", "samples"]), value()),
+    ) {
+        let Ok(run) = Run::read(&run) else { return Ok(()) };
+        let named = |key: &str, value| (key.to_owned(), value);
+        let (parameter, from, to) = (Value::Text(parameter), Value::Number(from), Value::Number(to));
+        let variation = vec![named("parameter", parameter), named("from", from), named("to", to), named("linked", linked)];
+        for input in [Value::Record(variation.clone()), Value::Record(variation[..3].to_vec()), anything.clone()] {
+            match Variation::read(&input).and_then(|variation| run.unstable_intervals(&variation)) {
+                Ok(intervals) => intervals.iter().for_each(|part| assert_finite("an end", &[part.from, part.to])),
+                Err(error) => assert_speaks(&error),
+            }
+        }
+        for input in [Value::Numbers(state.clone()), anything.clone()] {
+            match run.read_state(&input).and_then(|state| run.forces(&state)) {
+                Ok(forces) => assert_finite("a force", &[forces.slip_angle, forces.side_force, forces.aligning_moment, forces.spring_torque]),
+                Err(error) => assert_speaks(&error),
+            }
+        }
+        let columns = STATES.iter().map(|name| named(name, Value::Numbers(state.clone()))).collect();
+        for input in [Value::Record(columns), anything.clone()] {
+            match run.read_states(&input).and_then(|states| run.forces_along(&states)) {
+                Ok(columns) => assert_finite("a force", &[columns.side_force, columns.aligning_moment, columns.spring_torque].concat()),
+                Err(error) => assert_speaks(&error),
+            }
+        }
+        for input in [curves, anything] {
+            match Curves::read(&input).and_then(|curves| run.force_laws(&curves)) {
+                Ok(laws) => assert_finite("a law", &[laws.slip_angle, laws.side_force, laws.aligning_moment, laws.restoring_moment].concat()),
+                Err(error) => assert_speaks(&error),
+            }
+        }
+        match run.linked_parameters() {
+            Ok(linked) => assert_finite("a link", &[linked.relaxation_length, linked.tread_width_moment_constant]),
+            Err(error) => assert_speaks(&error),
+        }
+    }
+
+    #[test]
+    fn any_series_has_its_spectrum_or_is_refused(
+        values in prop::collection::vec(number(), 0..40), tame in prop::collection::vec(-1e3..1e3_f64, 2..40),
+        interval in number(), anything in value(),
+    ) {
+        let series = |values: &[f64], interval| {
+            let (values, interval) = (Value::Numbers(values.to_vec()), Value::Number(interval));
+            Value::Record(vec![("values".into(), values), ("interval".into(), interval)])
+        };
+        for input in [series(&values, interval), series(&tame, interval), series(&values, 0.1), anything] {
+            match Series::read(&input) {
+                Ok(series) => {
+                    let spectrum = series.spectrum();
+                    assert_finite("a frequency", &spectrum.frequency);
+                    assert_finite("an amplitude", &spectrum.amplitude);
+                    if let Some(peak) = spectrum.peak {
+                        assert_finite("the peak", &[peak.frequency, peak.amplitude]);
+                    }
+                }
+                Err(error) => assert_speaks(&error),
+            }
         }
     }
 

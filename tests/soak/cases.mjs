@@ -40,7 +40,7 @@ function rightRun(shimmy, random, models) {
 /** @param {Shimmy} shimmy @param {Random} random @param {Model[]} models */
 function wrongRun(shimmy, random, models) {
   const { run, wrong } = hostileRun(random, models);
-  const name = random.chance(0.85) ? 'simulate' : 'outlook';
+  const name = random.chance(0.7) ? 'simulate' : random.pick(/** @type {const} */ (['outlook', 'energy', 'routhHurwitz', 'linkedParameters', 'forceLaws']));
   const what = `${name}, wrong: ${wrong.join('; ')}`;
   const answer = judged(what, () => shimmy[name](/** @type {any} */ (run)));
   if (answer && name === 'simulate') judgeTrajectory(what, answer);
@@ -57,19 +57,48 @@ function stillRight(shimmy) {
 /** The torsion angle of the plain run, by benches/reference.py. */
 const PLAIN = -0.01066946083992453;
 
-/** @param {Shimmy} shimmy @param {Random} random @param {Model[]} models */
+/**
+ * What is asked beside a run: of a good one or a bad one, in good words or bad ones.
+ * @param {Shimmy} shimmy @param {Random} random @param {Model[]} models
+ */
 function helpers(shimmy, random, models) {
-  const model = random.pick(models);
-  /** @type {Record<string, unknown>} */
-  const parameters = {};
-  for (const { name, min, max } of model.parameters) if (random.chance(0.5)) parameters[name] = random.between(min, max);
-  const { name, value } = garbage(random);
-  const key = random.pick(['velocity', 'halfContactLength', 'sideForceDerivative', 'velocty']);
-  const spoiled = random.chance(0.5) ? { ...parameters, [key]: value } : value;
-  const what = `with ${key} or all of it ${name}, ${shown(value)}`;
-  judged(`linkedParameters ${what}`, () => shimmy.linkedParameters(/** @type {any} */ (spoiled)));
-  const state = random.chance(0.5) ? [random.pick(NUMBERS), 0, 0] : garbage(random).value;
-  judged(`forces ${what}, state ${shown(state)}`, () => shimmy.forces(/** @type {any} */ (spoiled), /** @type {any} */ (state)));
+  const run = /** @type {any} */ (random.chance(0.7) ? shortRun(random, models) : hostileRun(random, models).run);
+  const question = /** @type {any} */ (random.pick(QUESTIONS)(random, random.pick(models)));
+  const name = /** @type {'forces'} */ (question.name);
+  const asked = random.chance(0.5) ? question.asked : spoiled(random, question.asked);
+  const what = `${name}(${shown(run)}, ${shown(asked)})`;
+  if (name === /** @type {string} */ ('spectrum')) judged(what, () => shimmy.spectrum(asked));
+  else judged(what, () => shimmy[name](run, asked));
   judged('models', () => shimmy.models());
   judged('methods', () => shimmy.methods());
+  if (random.chance(0.02)) must('the atlas has changed', shimmy.atlas().length === 283);
+}
+
+/** @type {((random: Random, model: Model) => { name: string, asked: unknown })[]} */
+const QUESTIONS = [
+  (random, { state }) => ({ name: 'forces', asked: state.map(({ scale }) => (random.chance(0.8) ? random.between(-3, 3) * scale : random.pick(NUMBERS))) }),
+  (random, { state }) => ({
+    name: 'forcesAlong',
+    asked: Object.fromEntries(state.map(({ name, scale }) => [name, Float64Array.from({ length: 9 }, () => random.between(-3, 3) * scale)])),
+  }),
+  (random, { parameters }) => {
+    const { name, min, max } = random.pick(parameters);
+    const linked = { relaxationLength: random.chance(0.5), treadWidthMomentConstant: random.chance(0.5) };
+    return { name: 'unstableIntervals', asked: { parameter: name, from: min, to: random.chance(0.9) ? max : random.pick(NUMBERS), linked } };
+  },
+  (random) => ({ name: 'forceLaws', asked: { slipAngle: random.between(0.01, 1.6), torsionAngle: random.between(0.01, 1), samples: 2 + random.below(50) } }),
+  (random) => ({
+    name: 'spectrum',
+    asked: { values: Float64Array.from({ length: random.below(300) }, () => random.between(-1, 1)), interval: 10 ** random.between(-6, 2) },
+  }),
+];
+
+/** The same with something else in one place, or something else altogether. @param {Random} random @param {unknown} asked */
+function spoiled(random, asked) {
+  const { value } = garbage(random);
+  if (random.chance(0.3)) return value;
+  const copy = /** @type {Record<string, unknown>} */ (Array.isArray(asked) ? [...asked] : { .../** @type {object} */ (asked) });
+  const key = random.chance(0.9) ? random.pick(Object.keys(copy)) : 'more';
+  Object.defineProperty(copy, key, { value, enumerable: true, configurable: true, writable: true });
+  return copy;
 }
