@@ -101,3 +101,23 @@ test('the wheel settles on its cycle: 0.26508 rad at 51.87 Hz', () => {
   const frequency = (crossings.length - 1) / (crossings[crossings.length - 1] - crossings[0]);
   assert.ok(Math.abs(frequency - 51.87) < 5e-3, `${frequency} Hz`);
 });
+
+// A tire that relaxes within 1e-276 m: the place of a switch, corrected, once lay before the step that led there.
+test('the time never falls, where a switch lies at the very start, too', () => {
+  const { time } = shimmy.simulate({
+    model: 'torsional',
+    parameters: {
+      velocity: 120,
+      casterLength: 0.2582156006246805,
+      torsionalStiffness: 0,
+      sideForceDerivative: 50,
+      sideForceLimitAngle: 0.10916997219446051,
+      aligningMomentLimitAngle: 0.5235987755982988,
+      freeplayAngle: 0.04047535057033931,
+      relaxationLength: 1.248035460142802e-276,
+    },
+    initial: { torsionAngle: 0.12724206512793898, torsionRate: -54.9194067902863 },
+    duration: 0.0057696250426583,
+  });
+  assert.ok(time.every((t, index) => index === 0 || t >= time[index - 1]));
+});

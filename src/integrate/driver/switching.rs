@@ -174,8 +174,8 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
                 let mean = (end[i] - self.from_x[i]) / h;
                 0.5 * delta * (delta / h) * (2.0 * self.start_rate[i] + 4.0 * rate[i] - 6.0 * mean)
             });
-            let small = root_mean_square(&bend, &self.scale(&end)) < 0.1;
             let better = h + delta;
+            let small = better > 0.0 && root_mean_square(&bend, &self.scale(&end)) < 0.1;
             if small || tries_left == 0 || better <= 0.0 || better > longest {
                 (self.reached, self.length) = (end, h);
                 self.t = self.from_t + h;
