@@ -21,7 +21,7 @@ pub struct Parameter {
     pub max: f64,
     /// How a slider runs from `min` to `max`.
     pub scale: Scale,
-    /// Meaning, validity and where it enters.
+    /// Meaning, where it enters the equations and by which source, validity: one to three sentences.
     pub doc: &'static str,
     /// What values make sense at all.
     #[serde(skip)]

@@ -134,7 +134,10 @@ fn tables_say_what_they_must() {
                 assert_eq!(parameter.check(value), Ok(value), "{here}.{name}: its slider leaves what is valid");
             }
             assert!(parameter.scale == Scale::Linear || parameter.min > 0.0, "{here}.{name}: no logarithm of 0");
-            assert!(parameter.doc.len() > 20 && !parameter.symbol.is_empty() && !parameter.unit.is_empty());
+            assert!(!parameter.symbol.is_empty() && !parameter.unit.is_empty());
+            assert!(parameter.doc.contains(parameter.symbol), "{here}.{name}: its doc does not say where it enters");
+            let years = parameter.doc.split(|c: char| !c.is_ascii_digit()).filter(|digits| digits.len() == 4);
+            assert_eq!(years.count(), 1, "{here}.{name}: its doc names no source");
         }
         for state in model.state {
             assert_camel_case(state.name);

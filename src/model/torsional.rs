@@ -256,7 +256,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 1.0,
         max: 120.0,
         scale: Scale::Linear,
-        doc: "Taxiing velocity, constant during a run. Any value > 0 is valid.",
+        doc: "Taxiing velocity, constant during a run. It enters ẏ = vψ + (e − a)ψ̇ − (v/σ)y, and the tread's damping as κ/v (Somieski 1997). Any value > 0 is valid.",
         validity: Validity::Positive,
     },
     Parameter {
@@ -267,7 +267,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: -0.5,
         max: 0.5,
         scale: Scale::Linear,
-        doc: "Caster length (mechanical trail), positive when the contact centre trails the steering axis. Any finite value is valid.",
+        doc: "Caster length (mechanical trail), positive when the contact centre trails the steering axis. It is the lever of the side force, −e F_y, and enters ẏ as (e − a)ψ̇ (Somieski 1997). Any finite value is valid.",
         validity: Validity::Finite,
     },
     Parameter {
@@ -278,7 +278,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 0.01,
         max: 0.3,
         scale: Scale::Linear,
-        doc: "Half of the length over which the tire touches the ground. Any value > 0 is valid.",
+        doc: "Half of the length over which the tire touches the ground. It enters ẏ as (e − a)ψ̇ (Somieski 1997). Any value > 0 is valid.",
         validity: Validity::Positive,
     },
     Parameter {
@@ -289,7 +289,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 0.02,
         max: 1.0,
         scale: Scale::Linear,
-        doc: "Relaxation length of the tire, 3a in the published data. Any value > 0 is valid.",
+        doc: "Relaxation length of the tire, over which its deformation fades: −(v/σ)y in ẏ, and the slip angle α = arctan(y/σ), in the linear gear y/σ (Somieski 1997; 3a in his data). Any value > 0 is valid.",
         validity: Validity::Positive,
     },
     Parameter {
@@ -300,7 +300,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 0.1,
         max: 10.0,
         scale: Scale::Log,
-        doc: "Moment of inertia about the steering axis. Any value > 0 is valid.",
+        doc: "Moment of inertia about the steering axis: I_z ψ̈ is the sum of all moments (Somieski 1997). Any value > 0 is valid.",
         validity: Validity::Positive,
     },
     Parameter {
@@ -311,7 +311,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 0.0,
         max: 300_000.0,
         scale: Scale::Linear,
-        doc: "Torsional stiffness, positive when it turns the wheel back. Any value ≥ 0 is valid.",
+        doc: "Torsional stiffness, positive when it turns the wheel back: the moment −k s(ψ), with s = ψ where there is no gap (Somieski 1997, who writes c). Any value ≥ 0 is valid.",
         validity: Validity::NonNegative,
     },
     Parameter {
@@ -322,7 +322,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 0.0,
         max: 200.0,
         scale: Scale::Linear,
-        doc: "Torsional damping constant, positive when it takes energy out. Any value ≥ 0 is valid.",
+        doc: "Torsional damping constant, positive when it takes energy out: the moment −cψ̇ (Somieski 1997, who writes k). Any value ≥ 0 is valid.",
         validity: Validity::NonNegative,
     },
     Parameter {
@@ -333,7 +333,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 0.0,
         max: 50_000.0,
         scale: Scale::Linear,
-        doc: "Vertical force on the wheel. Any value ≥ 0 is valid.",
+        doc: "Vertical force F_z on the wheel: side force and aligning moment are proportional to it (Somieski 1997). Any value ≥ 0 is valid.",
         validity: Validity::NonNegative,
     },
     Parameter {
@@ -344,7 +344,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 1.0,
         max: 50.0,
         scale: Scale::Linear,
-        doc: "Slope of the side force at small slip angle, per unit of vertical force. Any value ≥ 0 is valid.",
+        doc: "Slope of the side force at small slip angle, per unit of vertical force: F_y = c_Fα F_z α, up to the limit angle δ where there is one (Somieski 1997). Any value ≥ 0 is valid.",
         validity: Validity::NonNegative,
     },
     Parameter {
@@ -355,7 +355,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 0.0,
         max: 5.0,
         scale: Scale::Linear,
-        doc: "Slope of the aligning moment at small slip angle, per unit of vertical force. Any value ≥ 0 is valid.",
+        doc: "Slope of the aligning moment at small slip angle, per unit of vertical force: M_z = −c_Mα F_z α there (Somieski 1997). Any value ≥ 0 is valid.",
         validity: Validity::NonNegative,
     },
     Parameter {
@@ -366,7 +366,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: DEGREE,
         max: 15.0 * DEGREE,
         scale: Scale::Linear,
-        doc: "Slip angle at which the side force stops growing. Any value > 0 is valid; from 90° on it is never reached.",
+        doc: "Slip angle at which the side force stops growing: F_y = ±c_Fα F_z δ beyond (Somieski 1997). Any value > 0 is valid; from 90° on it is never reached.",
         validity: Validity::Positive,
     },
     Parameter {
@@ -377,7 +377,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 2.0 * DEGREE,
         max: 30.0 * DEGREE,
         scale: Scale::Linear,
-        doc: "Slip angle beyond which there is no aligning moment. Any value > 0 is valid; from 90° on it is never reached.",
+        doc: "Slip angle beyond which there is no aligning moment: M_z = −c_Mα F_z (α_g/π) sin(πα/α_g) within (Somieski 1997). Any value > 0 is valid; from 90° on it is never reached.",
         validity: Validity::Positive,
     },
     Parameter {
@@ -388,7 +388,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 0.0,
         max: 2000.0,
         scale: Scale::Linear,
-        doc: "Damping by the width of the tread, which acts as κ/v; 0.15 a² c_Fα F_z in the published data. Any value ≥ 0 is valid.",
+        doc: "Damping by the width of the tread: the moment −(κ/v)ψ̇ (Somieski 1997; κ = 0.15 a² c_Fα F_z in his data). Any value ≥ 0 is valid.",
         validity: Validity::NonNegative,
     },
     Parameter {
@@ -399,7 +399,7 @@ pub(super) const PARAMETERS: [Parameter; 14] = [
         min: 0.0,
         max: 3.0 * DEGREE,
         scale: Scale::Linear,
-        doc: "Freeplay: half of the gap in which the spring does not act. Any value ≥ 0 is valid.",
+        doc: "Freeplay, half of the gap in which the spring does not act: s(ψ) = ψ − ψ_fp sign ψ beyond ±ψ_fp, 0 within (Atabay 2012, ch. 6). Any value ≥ 0 is valid.",
         validity: Validity::NonNegative,
     },
 ];
