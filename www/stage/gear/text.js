@@ -17,6 +17,38 @@ export const strong = (text) => ({ text, face: 'strong' });
 /** @param {string} text @returns {Run} */
 export const plain = (text) => ({ text, face: 'plain' });
 
+/** So many widths of a face are kept: what a running number shows comes again. */
+const MOST_WIDTHS = 600;
+
+/**
+ * A face at a size: the font's name for the context, and the widths of what was written in it.
+ *
+ * @typedef {{font: string, widths: Map<string, number>}} Type
+ */
+
+/**
+ * Types by face and size, for as long as the page keeps the same theme object.
+ *
+ * @type {WeakMap<Theme, Record<Face, Map<number, Type>>>}
+ */
+const types = new WeakMap();
+
+/**
+ * @param {Face} face
+ * @param {number} size
+ * @param {Theme} theme
+ */
+function typeOf(face, size, theme) {
+  let faces = types.get(theme);
+  if (!faces) {
+    faces = { symbol: new Map(), subscript: new Map(), strong: new Map(), plain: new Map() };
+    types.set(theme, faces);
+  }
+  let type = faces[face].get(size);
+  if (!type) faces[face].set(size, (type = { font: fontOf(face, size, theme), widths: new Map() }));
+  return type;
+}
+
 /**
  * @param {Face} face
  * @param {number} size
@@ -29,15 +61,8 @@ function fontOf(face, size, theme) {
 }
 
 /**
- * Measured widths by font and text, for as long as the page keeps the same theme object.
- *
- * @type {WeakMap<Theme, Map<string, number>>}
- */
-const measured = new WeakMap();
-
-/**
- * The width of a run with every digit as wide as a zero, so that a label keeps its place, and is
- * measured once, while its number runs.
+ * The width of a run with every digit as wide as a zero, so that a label keeps its place while its
+ * number runs.
  *
  * @param {CanvasRenderingContext2D} ctx
  * @param {Run} run
@@ -45,15 +70,18 @@ const measured = new WeakMap();
  * @param {Theme} theme
  */
 function runWidth(ctx, { text, face }, size, theme) {
-  let widths = measured.get(theme);
-  if (!widths) measured.set(theme, (widths = new Map()));
-  const steady = text.replace(/\d/g, '0');
-  const key = `${face} ${size} ${steady}`;
-  let width = widths.get(key);
+  const { font, widths } = typeOf(face, size, theme);
+  let width = widths.get(text);
   if (width === undefined) {
-    ctx.font = fontOf(face, size, theme);
-    width = ctx.measureText(steady).width;
-    widths.set(key, width);
+    if (widths.size >= MOST_WIDTHS) widths.clear();
+    const steady = text.replace(/\d/g, '0');
+    width = steady === text ? undefined : widths.get(steady);
+    if (width === undefined) {
+      ctx.font = font;
+      width = ctx.measureText(steady).width;
+      widths.set(steady, width);
+    }
+    widths.set(text, width);
   }
   return width;
 }
@@ -95,7 +123,7 @@ export function write(ctx, runs, at, style, theme) {
   let font = '';
   /** @param {'strokeText' | 'fillText'} paint @param {number} i */
   const put = (paint, i) => {
-    const wanted = fontOf(runs[i].face, size, theme);
+    const wanted = typeOf(runs[i].face, size, theme).font;
     // To set a font costs more than to write with it.
     if (font !== wanted) ctx.font = font = wanted;
     ctx[paint](runs[i].text, places[i].x, places[i].y);
