@@ -6,7 +6,7 @@ import { contactLine, traceBehind } from '../../www/stage/gear/contact-line.js';
 import { forceArrows } from '../../www/stage/gear/forces.js';
 import { poseNow } from '../../www/stage/gear/pose.js';
 import { sheetFor } from '../../www/stage/gear/sheet.js';
-import { record, sceneOf, sizes, theme } from './gear-scene.mjs';
+import { DEGREE, record, sceneOf, sizes, theme } from './gear-scene.mjs';
 
 /** @param {import('./gear-scene.mjs').Scene} scene */
 function arrowsOf(scene) {
@@ -56,6 +56,35 @@ test('a side force at its limit says so', () => {
   limited.forces = { ...limited.forces, aligningMoment: 250, sideForce: -4500 };
   assert.ok(record(limited).texts.some(({ text }) => text.endsWith('kN, at its limit')));
   assert.ok(!record(sceneOf({ y: 0.02 })).texts.some(({ text }) => text.includes('limit')));
+});
+
+// The tire follows a swing at ω as ẏ = vψ − (v/σ)y says: y = vψ/(iω + v/σ). Here v = 80 m/s, σ = 0.3 m and 51.9 Hz.
+const omega = 2 * Math.PI * 51.9;
+const ratio = 80 / Math.hypot(omega, 80 / 0.3);
+const lag = Math.atan2(omega, 80 / 0.3);
+
+test('through a whole cycle of ±15° the side force’s arrow ends on the band and crosses no note at its foot', () => {
+  for (const layout of /** @type {const} */ (['desktop', 'projector', 'phone'])) {
+    for (const magnification of [1, 10]) {
+      for (let phase = 0; phase < 2 * Math.PI; phase += 0.1) {
+        const psi = (15 * DEGREE * Math.sin(phase)) / magnification;
+        const y = (15 * DEGREE * ratio * Math.sin(phase - lag)) / magnification;
+        const scene = sceneOf({ psi, y, swing: 0 }, { magnification, layout, forceScale: { force: 20_000, moment: 1000 } });
+        scene.forces = { ...scene.forces, sideForce: 15_700 * Math.max(-1, Math.min(1, (y * magnification) / 0.026)) };
+        const sheet = sheetFor(sizes[layout], scene);
+        const pose = poseNow(scene);
+        const { from, to } = forceArrows(sheet, scene, pose, contactLine(traceBehind(scene, pose, 1), pose)).side;
+        const where = JSON.stringify([layout, magnification, phase, from, to]);
+        assert.ok(to.y > sheet.band.top + 2 && to.y < sheet.band.bottom - 2, where);
+        const notes = record(scene).texts.filter(({ x, y: at, halo }) => !halo && x === 16 && at > sheet.axis.y && at < sheet.band.bottom);
+        assert.ok(notes.length > 0);
+        for (const { text, x, y: at, width, size } of notes) {
+          const isBeside = Math.min(from.x, to.x) - 8 * sheet.line > x + width;
+          assert.ok(isBeside || to.y < at - 0.6 * size, `${text} at ${where}`);
+        }
+      }
+    }
+  }
 });
 
 test('at rest there are no arrows and nothing is said of forces', () => {

@@ -26,11 +26,16 @@ function randomScene(random) {
   const within = (/** @type {number} */ size) => (2 * random() - 1) * size;
   const swing = ((8 + 12 * random()) * DEGREE) / magnification;
   const freeplayAngle = random() < 0.5 ? 0 : random() * 2 * DEGREE;
+  const poseOfGhost = () => sceneOf({ psi: within(swing), y: within(0.25 * swing), swing: 0.5 * swing }, { magnification });
+  const ghosts = Array.from({ length: Math.floor(4 * random()) }, (_, i) => ({ ...poseOfGhost(), label: `c = ${10 * i}` }));
+  const fan = Array.from({ length: 16 }, () => ({ psi: within(swing), y: within(0.25 * swing) }));
   return sceneOf(
     { psi: within(swing), y: within(0.25 * swing), swing: 0.5 * swing, shift: within(3) },
     {
       magnification,
       layout,
+      ghosts,
+      fan: random() < 0.15 ? fan : null,
       extremes: [-swing, swing],
       forceScale: { force: 60_000 * 0.25 * swing, moment: 20_000 * 0.25 * swing },
       parameters: { casterLength: within(0.5), velocity: 1 + 119 * random(), freeplayAngle },
@@ -67,6 +72,12 @@ const touch = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom
 const inside = (point, line) =>
   point.x > line.left && point.x < line.right && point.y > line.top && point.y < line.bottom;
 
+/** The outline of the wheel, or of all the fan's. @param {import('./gear-scene.mjs').Scene} scene */
+function wheelsOf(scene) {
+  const poses = scene.fan ?? [{ psi: scene.state[0], y: scene.state[2] }];
+  return poses.flatMap(({ psi, y }) => grabTarget(sizes[scene.layout], { ...scene, state: [psi, 0, y], fan: null }).outline);
+}
+
 test('in 1000 random states no label leaves the canvas or touches another or the wheel', () => {
   const random = sequence(7);
   for (let i = 0; i < 1000; i++) {
@@ -77,7 +88,7 @@ test('in 1000 random states no label leaves the canvas or touches another or the
     assert.equal(context.depth, 0);
     const lines = linesOf(context);
     const moving = lines.filter(({ text }) => /^[ψyαFM]/.test(text));
-    const { outline } = grabTarget(sizes[scene.layout], scene);
+    const outline = wheelsOf(scene);
     lines.forEach((line, k) => {
       assert.ok(
         line.left >= 0 && line.right <= width && line.top >= 0 && line.bottom <= height,
@@ -98,7 +109,7 @@ test('ψ and the side force are named in nearly every state', () => {
   const seen = { psi: 0, force: 0, states: 0 };
   for (let i = 0; i < 600; i++) {
     const scene = randomScene(random);
-    if (Math.abs(scene.parameters.casterLength - 0.1) > 0.1) continue;
+    if (scene.fan || Math.abs(scene.parameters.casterLength - 0.1) > 0.1) continue;
     if (Math.abs(scene.forces.sideForce) < 0.2 * scene.forceScale.force) continue;
     const lines = linesOf(record(scene)).map(({ text }) => text);
     seen.states++;
@@ -119,6 +130,17 @@ test('numbers are true whatever the magnification, and written in the page’s l
   assert.ok(english.includes('the scale shows true degrees'), english.join(' | '));
   const turkish = linesOf(record(scene, gearTr)).map(({ text }) => text);
   assert.ok(turkish.includes('ψ +1,2°'), turkish.join(' | '));
+});
+
+test('a model without speed, limits and freeplay is drawn too, and no speed is made up', () => {
+  const scene = sceneOf({ psi: 0.1, y: 0.02 });
+  const { casterLength, halfContactLength, relaxationLength } = scene.parameters;
+  const bare = { ...scene, parameters: { casterLength, halfContactLength, relaxationLength } };
+  const said = linesOf(record(bare)).map(({ text }) => text);
+  assert.ok(said.includes('ψ +5.7°') && said.includes('caster e 100 mm'), said.join(' | '));
+  assert.ok(!said.some((text) => text.startsWith('v')), said.join(' | '));
+  const nothing = linesOf(record({ ...scene, parameters: {} })).map(({ text }) => text);
+  assert.ok(nothing.includes('caster e 0 mm') && nothing.includes('2a 200 mm'), nothing.join(' | '));
 });
 
 test('the protractor shows true degrees', () => {
