@@ -105,6 +105,12 @@ test('in the steering head tooth and collar stand as they would at each pose', (
   });
 });
 
+test('the ring of the keyboard is there in a blur, round the wheel straight ahead', () => {
+  const rings = (/** @type {Scene} */ scene) =>
+    record(scene).marks.filter(({ kind, color, paths }) => kind === 'stroke' && color === theme.psi && paths[0].length > 60);
+  assert.equal(rings(fast({ focused: true })).length, rings(fast()).length + 1);
+});
+
 test('a fan of no poses is no fan', () => {
   const scene = sceneOf({ psi: 0.1, y: 0.02 });
   const seen = (/** @type {Scene} */ one) => JSON.stringify(record(one).marks);

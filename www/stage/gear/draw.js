@@ -25,7 +25,7 @@ import { drawSide } from './side.js';
 import { writeSideLabels } from './side-labels.js';
 import { drawString } from './string.js';
 import { drawTire } from './tire.js';
-import { tireShape } from './tire-shape.js';
+import { straightShape, tireShape } from './tire-shape.js';
 import { writeSwing, writeTopLabels } from './top-labels.js';
 import { writeTopNotes } from './top-notes.js';
 import { drawTrack } from './track.js';
@@ -107,13 +107,14 @@ function drawTop(desk) {
 
 /** The top view where single poses would lie. @param {Desk} desk */
 function drawTopFan(desk) {
-  const { ctx, sheet, scene, theme, words } = desk;
+  const { ctx, sheet, scene, pose, theme, words } = desk;
   const blades = bladesOf(scene, trackSeen(desk));
   const { low, high } = swingOf(scene);
 
   onTheGround(desk, () => {
     drawTrackFan(ctx, sheet, blades, theme);
     drawLeader(ctx, sheet, theme);
+    drawHand(ctx, sheet, scene, pose, straightShape(pose), theme);
     drawWheelFan(ctx, sheet, blades, theme);
     drawScale(ctx, sheet, scene, theme, words);
     drawSweep(ctx, sheet, drawnAngle(scene, low), drawnAngle(scene, high), theme);
