@@ -18,15 +18,15 @@ const forces = {
     sideForce: slipAngle.map((a) => 180_000 * Math.max(-5 * degree, Math.min(5 * degree, a))),
     aligningMoment: slipAngle.map((a) => (Math.abs(a) < 10 * degree ? -1000 * Math.sin((Math.PI * a) / (10 * degree)) : 0)),
     torsionAngle,
-    restoringMoment: torsionAngle.map((a) => 100_000 * a),
+    restoringMoment: torsionAngle.map((a) => -100_000 * a),
+    kinks: { sideForceLimitAngle: /** @type {number | null} */ (5 * degree), aligningMomentLimitAngle: /** @type {number | null} */ (10 * degree), freeplayAngle: /** @type {number | null} */ (null) },
   },
   limits: { slipAngle: 15 * degree, sideForce: 20_000, aligningMoment: 1200, torsionAngle: 20 * degree, restoringMoment: 40_000 },
-  now: { slipAngle: 7.5 * degree, sideForce: 15_708, aligningMoment: -707, torsionAngle: -10 * degree, restoringMoment: -17_453 },
+  now: { slipAngle: 7.5 * degree, sideForce: 15_708, aligningMoment: -707, torsionAngle: -10 * degree, restoringMoment: 17_453 },
   cycle: { slipAngle: /** @type {[number, number]} */ ([-9 * degree, 9 * degree]), torsionAngle: /** @type {[number, number]} */ ([-15 * degree, 15 * degree]) },
-  sideForceLimitAngle: 5 * degree,
-  aligningMomentLimitAngle: 10 * degree,
-  freeplay: 0,
 };
+/** The same laws with other kinks. @param {Partial<typeof forces.laws.kinks>} kinks */
+const bent = (kinks) => ({ laws: { ...forces.laws, kinks: { ...forces.laws.kinks, ...kinks } } });
 
 /** @param {object} [more] @param {'en' | 'tr'} [language] */
 function drawn(more = {}, language = 'en', canvas = size) {
@@ -48,7 +48,7 @@ test('the point stands on its curve and its value beside the axis, in round unit
   const dots = named('arc').filter(({ args }) => args[2] === 6);
   assert.equal(dots.length, 3);
   const texts = named('fillText');
-  for (const [i, value, line] of /** @type {const} */ ([[0, '15.7 kN', 'force'], [1, '−707 N m', 'force'], [2, '−17.5 kN m', 'psi']])) {
+  for (const [i, value, line] of /** @type {const} */ ([[0, '15.7 kN', 'force'], [1, '−707 N m', 'force'], [2, '17.5 kN m', 'psi']])) {
     const text = texts.find(({ args }) => args[0] === value);
     assert.ok(text, value);
     assert.equal(text.style.fillStyle, theme[line]);
@@ -77,12 +77,12 @@ test('the last cycle’s part of the curve is laid under it, as wide as the cycl
 test('limit angles are marked on both sides, where a law has them and the axis reaches', () => {
   const marks = (/** @type {object} */ more) => written(drawn(more).named('fillText')).filter((text) => ['δ', 'g'].includes(text)).length;
   assert.equal(marks({}), 4);
-  assert.equal(marks({ sideForceLimitAngle: null, aligningMomentLimitAngle: null }), 0);
+  assert.equal(marks(bent({ sideForceLimitAngle: null, aligningMomentLimitAngle: null })), 0);
   assert.equal(marks({ limits: { ...forces.limits, slipAngle: 8 * degree } }), 2);
 });
 
 test('inside the gap there is no spring: the band is named, and the value keeps off the flat curve', () => {
-  const { named } = drawn({ freeplay: 3 * degree, now: { ...forces.now, torsionAngle: degree, restoringMoment: 0 } });
+  const { named } = drawn({ ...bent({ freeplayAngle: 3 * degree }), now: { ...forces.now, torsionAngle: degree, restoringMoment: 0 } });
   const [band] = named('fillRect').filter(({ style }) => style.fillStyle === theme.freeplay);
   const name = named('fillText').find(({ args }) => args[0] === 'inside the gap: no spring');
   assert.ok(band && name && Math.abs(band.args[0] + band.args[2] / 2 - name.args[1]) < 1);
@@ -92,7 +92,7 @@ test('inside the gap there is no spring: the band is named, and the value keeps 
 });
 
 test('ghosts are hollow points, named above and numbered where they are several', () => {
-  const ghost = (/** @type {string} */ label, /** @type {number} */ share) => ({ label, now: { slipAngle: share * 4 * degree, sideForce: share * 12_566, aligningMoment: share * -951, torsionAngle: share * 8 * degree, restoringMoment: share * 13_963 } });
+  const ghost = (/** @type {string} */ label, /** @type {number} */ share) => ({ label, now: { slipAngle: share * 4 * degree, sideForce: share * 12_566, aligningMoment: share * -951, torsionAngle: share * 8 * degree, restoringMoment: share * -13_963 } });
   const one = drawn({ ghosts: [ghost('c = 60', 1)] });
   assert.equal(one.named('arc').filter(({ args, style }) => args[2] === 4.5 && style.strokeStyle === theme.ghost).length, 3 + 1);
   assert.ok(written(one.named('fillText')).includes('ghost: c = 60'));
@@ -104,7 +104,7 @@ test('fewer laws can be shown, and words stay on the canvas at every size', () =
   for (const language of /** @type {const} */ (['en', 'tr']))
     for (const [width, height] of [[604, 420], [390, 420], [390, 280], [440, 500], [1200, 300], [360, 700]])
       for (const shown of [undefined, ['sideForce'], ['sideForce', 'restoringMoment']]) {
-        const { named, calls } = drawn({ shown, freeplay: degree }, language, { width, height });
+        const { named, calls } = drawn({ ...bent({ freeplayAngle: degree }), shown }, language, { width, height });
         assert.ok(numbersOf(calls).every(Number.isFinite));
         assert.equal(named('arc').filter(({ args }) => args[2] === 6).length, shown?.length ?? 3);
         for (const { args: [text, x, y], style, at } of named('fillText')) {

@@ -11,14 +11,15 @@ import { quantities } from './quantities.js';
  * @typedef {import('./law.js').Law} Law
  * @typedef {'slipAngle' | 'sideForce' | 'aligningMoment' | 'torsionAngle' | 'restoringMoment'} LawName
  * @typedef {Record<LawName, number>} Forces
+ * @typedef {Record<LawName, ArrayLike<number>> & {
+ *   kinks: { sideForceLimitAngle: number | null, aligningMomentLimitAngle: number | null, freeplayAngle: number | null },
+ * }} Laws as the engine gives them: columns of the tire over slip angle and of the spring over torsion angle, and the
+ *   angles at which they bend, null where they do not
  * @typedef {{
- *   laws: Record<LawName, ArrayLike<number>>, limits: Forces, now: Forces,
- *   cycle: { slipAngle: [number, number], torsionAngle: [number, number] } | null,
- *   sideForceLimitAngle: number | null, aligningMomentLimitAngle: number | null, freeplay: number,
+ *   laws: Laws, limits: Forces, now: Forces, cycle: { slipAngle: [number, number], torsionAngle: [number, number] } | null,
  *   ghosts?: { label: string, now: Forces }[], shown?: Shown[],
- * }} ForceLaws in SI units and radians. `laws`: columns of the curves, of the tire over slip angle, of the spring over
- *   torsion angle; `limits`: the ends of the axes; `cycle`: least and largest angle of the last cycle; the limit angles δ
- *   and α_g, null for a law without; `shown`: which laws, all unless said
+ * }} ForceLaws in SI units and radians. `limits`: the ends of the axes; `cycle`: least and largest angle of the last
+ *   cycle; `shown`: which laws, all unless said
  * @typedef {'sideForce' | 'aligningMoment' | 'restoringMoment'} Shown
  */
 
@@ -35,7 +36,7 @@ const layouts = [[[1]], [[2], [1, 1]], [[3], [2, 1], [1, 1, 1]]];
  * @param {Voice} voice
  */
 export function drawForces(context, size, forces, theme, voice) {
-  const { cycle, ghosts = [], freeplay, shown = ['sideForce', 'aligningMoment', 'restoringMoment'] } = forces;
+  const { cycle, ghosts = [], shown = ['sideForce', 'aligningMoment', 'restoringMoment'] } = forces;
   const keys = keysOfGhosts(ghosts, theme, voice).map((key) => ({ ...key, isPoint: true }));
   const { frame, draw: drawKeys } = keysAbove(context, { left: theme.size, right: size.width - theme.size, top: theme.size * 0.9, bottom: size.height }, keys, theme);
   const top = ghosts.length ? frame.top : 0;
@@ -50,10 +51,11 @@ export function drawForces(context, size, forces, theme, voice) {
   });
   const limit = (/** @type {number | null} */ at, /** @type {Omit<import('./law.js').LimitAngle, 'at'>} */ name) => (at === null ? null : { ...name, at });
   const slip = cycle?.slipAngle ?? null;
+  const { kinks } = forces.laws;
   const laws = {
-    sideForce: law('slipAngle', 'sideForce', { cycle: slip, limitAngle: limit(forces.sideForceLimitAngle, { symbol: 'δ' }), freeplay: 0 }),
-    aligningMoment: law('slipAngle', 'aligningMoment', { cycle: slip, limitAngle: limit(forces.aligningMomentLimitAngle, { symbol: 'α', sub: 'g' }), freeplay: 0 }),
-    restoringMoment: law('torsionAngle', 'restoringMoment', { cycle: cycle?.torsionAngle ?? null, limitAngle: null, freeplay }),
+    sideForce: law('slipAngle', 'sideForce', { cycle: slip, limitAngle: limit(kinks.sideForceLimitAngle, { symbol: 'δ' }), freeplay: 0 }),
+    aligningMoment: law('slipAngle', 'aligningMoment', { cycle: slip, limitAngle: limit(kinks.aligningMomentLimitAngle, { symbol: 'α', sub: 'g' }), freeplay: 0 }),
+    restoringMoment: law('torsionAngle', 'restoringMoment', { cycle: cycle?.torsionAngle ?? null, limitAngle: null, freeplay: kinks.freeplayAngle ?? 0 }),
   };
   panelsIn({ width: size.width, height: size.height - top }, layouts[shown.length - 1]).forEach((panel, i) => {
     const box = { ...panel, top: panel.top + top, bottom: panel.bottom + top };
