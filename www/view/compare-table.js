@@ -67,7 +67,7 @@ export class CompareTable extends LitElement {
         ${number === 0 && this.veiled ? html`<td colspan="4" class="veil"><span aria-hidden="true">?</span><span class="only-heard">${voice.say('energy.veiled')}</span></td>` : results(row, voice)}
         <td>${number === 0 ? '' : html`
           <button type="button" class="plain icon" aria-label=${voice.say('compare.unpin', { name })} title=${voice.say('compare.unpin', { name })}
-            @click=${() => this.dispatchEvent(new CustomEvent('unpin', { detail: number - 1 }))}>×</button>`}</td>
+            @click=${() => this.dispatchEvent(new CustomEvent('unpin', { detail: number - 1 }))}><span aria-hidden="true">×</span></button>`}</td>
       </tr>`;
   }
 }
