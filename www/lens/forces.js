@@ -49,9 +49,6 @@ export class ForcesLens extends PlotLens {
       laws, limits,
       now: pointOf(scene.forces, scene.state),
       cycle: scene.lastCycle(),
-      sideForceLimitAngle: laws.kinks.sideForceLimitAngle,
-      aligningMomentLimitAngle: laws.kinks.aligningMomentLimitAngle,
-      freeplay: scene.parameters.freeplayAngle ?? 0,
       ghosts: scene.ghosts.map((ghost) => ({ label: this.labelOf(scene, ghost, voice), now: pointOf(scene.forcesOf(ghost), ghost.state) })),
       shown: view === 'all' ? [...all] : [/** @type {Shown} */ (view)],
     }, theme, voice);
