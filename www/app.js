@@ -4,7 +4,7 @@
  */
 
 import { Quantity } from './controls/quantity.js';
-import { clockCommands } from './commands/clock.js';
+import { clockCommands, handsOff } from './commands/clock.js';
 import { experimentCommands } from './commands/experiment.js';
 import { viewCommands } from './commands/view.js';
 import { recall } from './keep.js';
@@ -93,6 +93,7 @@ export class App {
     const command = this.commands[name];
     if (!command) throw new Error(`no command ${name}`);
     if (!this.session && !['language', 'theme'].includes(name)) return;
+    if (handsOff.has(name)) this.commands.release();
     command(value);
     this.onChange();
   }

@@ -264,6 +264,66 @@ test('a hand holds the wheel while the ground rolls on, and lets it go from ther
   assert.notEqual(session.scene(wanted).state[0], 0.1);
 });
 
+test('one hold, however long and far, is one step of undo, and one entry of the record', () => {
+  const { store, session } = opened();
+  session.advance(0.1);
+  const before = [...session.scene(wanted).state];
+  for (const angle of [0.05, 0.1, 0.2]) {
+    session.hold(angle);
+    session.advance(0.02);
+  }
+  session.letGo();
+  assert.equal(session.recipe.changes.length, 1);
+  assert.equal(session.recipe.changes[0].state?.torsionAngle, 0.2);
+  session.advance(0.1);
+  store.undo();
+  assert.ok(!store.canUndo);
+  assert.ok(Math.abs(session.time - 0.1) < 1e-12);
+  assert.deepEqual([...session.scene(wanted).state], before);
+});
+
+test('a hold taken back leaves on record the blow that was struck at the same instant', () => {
+  const { store, session } = opened();
+  session.advance(0.1);
+  session.kick();
+  const kicked = [...session.scene(wanted).state];
+  session.hold(0.2);
+  session.letGo();
+  store.undo();
+  const { parameters, initial, changes, time } = session.recipe;
+  const { store: other, session: again } = opened();
+  other.update({ parameters: { ...parameters }, run: { initial, changes, time } });
+  again.scene(wanted).state.forEach((value, i) => assert.ok(Math.abs(value - kicked[i]) < 1e-9 * Math.max(1, Math.abs(kicked[i]))));
+});
+
+test('a hand that only touched the wheel leaves nothing behind', () => {
+  const { store, session } = opened();
+  session.advance(0.1);
+  const before = [...session.scene(wanted).state];
+  session.hold(before[0]);
+  session.advance(0.005);
+  session.letBe();
+  assert.ok(!store.canUndo && !session.isHeld);
+  assert.deepEqual([...session.scene(wanted).state], before);
+});
+
+test('a hand on a run that has stopped, or that stops under it, does nothing and lets go', () => {
+  const { store, session } = opened();
+  session.advance(0.1);
+  session.hold(0.1);
+  session.set('casterLength', 1e6, null);
+  for (let i = 0; i < 100 && !session.failure; i++) session.advance(0.01);
+  assert.ok(session.failure, 'it can be computed');
+  const { failure } = session;
+  session.hold(0.2);
+  session.letGo();
+  assert.ok(!session.isHeld);
+  assert.equal(session.failure, failure, 'why it stopped is still told');
+  store.undo();
+  session.settle();
+  assert.equal(session.failure, null);
+});
+
 test('a run is begun again from its recipe, with all that was done to it', () => {
   const { session } = opened();
   session.advance(0.1);

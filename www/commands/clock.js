@@ -1,3 +1,6 @@
+/** What takes the run elsewhere: a hand on the wheel lets go of it first. */
+export const handsOff = new Set(['on', 'back', 'seek', 'start', 'kick', 'rest', 'undo', 'redo', 'resetAll', 'pin']);
+
 /**
  * Commands of the clock and of the hand on the wheel.
  *
@@ -47,8 +50,14 @@ export function clockCommands(app) {
     /** @param {number} angle ψ in rad */
     hold: (angle) => app.session?.hold(angle),
     release: () => {
-      app.session?.letGo();
+      if (!app.session?.isHeld) return;
+      app.session.letGo();
       app.occasion++;
+      look();
+    },
+    /** As if no hand had been there. */
+    letBe: () => {
+      app.session?.letBe();
       look();
     },
     /** @param {{ mode: import('../run/clock.js').Mode, slow?: number | null }} rate */

@@ -111,14 +111,14 @@ export class LiveRun {
   }
 
   /**
-   * Takes the run back to an instant, to the state before a hand touched it; that and all after it is forgotten.
+   * Takes the run back to an instant, to the state before a hand touched it; all after it is forgotten. What else was
+   * done at that instant stays on record, so the state is written down after it.
    * @param {number} time in s
    * @param {Record<string, number>} state of then
    */
   takeBack(time, state) {
     this.seek(time);
-    for (const [name, value] of Object.entries(state)) this.#simulator.setState(name, value);
-    this.#changes = this.#changes.filter((change) => change.time < time || (change.time === time && change.set));
+    this.apply({ state });
   }
 
   /** @param {number} from @param {number} to @param {number} samples */

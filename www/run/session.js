@@ -162,11 +162,19 @@ export class Session {
     if (!this.#held) return;
     const { time, before } = this.#held;
     this.#held = null;
+    if (this.failure) return;
     const state = this.#live.stateByName;
     this.#tried(() => this.#live.apply({ state }, 'hold'));
     this.#store.did({ time, before, again: { state } });
     this.refresh();
     this.#refit();
+  }
+
+  /** The hand lets go as if it had never been there. */
+  letBe() {
+    const touched = this.#held;
+    this.#held = null;
+    if (touched && !this.failure) this.#takeBack(touched.time, touched.before);
   }
 
   /** Whether a hand holds the wheel. */
@@ -217,7 +225,8 @@ export class Session {
   refresh() {
     this.#isStale = false;
     this.outlook = this.#tried(() => this.#lookAhead()) ?? this.outlook;
-    if (this.#swing().angle * this.scales.magnification > widestDrawn) this.fit();
+    // Under a hand the scale stays, or the wheel would jump away from it.
+    if (!this.isHeld && this.#swing().angle * this.scales.magnification > widestDrawn) this.fit();
   }
 
   /** Whether the outlook is older than the last change. */
@@ -421,10 +430,14 @@ export class Session {
   #repeatOrTakeBack({ direction, deed }) {
     if (!deed) return;
     if (direction === 'redo') this.#tried(() => this.#live.apply(deed.again));
-    else if (deed.time >= this.#live.range[0] && deed.time <= this.time) {
-      this.#tried(() => this.#live.takeBack(deed.time, deed.before));
-      this.ghosts.goTo(this.time);
-    }
+    else if (deed.time >= this.#live.range[0] && deed.time <= this.time) this.#takeBack(deed.time, deed.before);
+    this.#isStale = true;
+  }
+
+  /** @param {number} time in s @param {Record<string, number>} state of then, before a hand touched it */
+  #takeBack(time, state) {
+    this.#tried(() => this.#live.takeBack(time, state));
+    this.ghosts.goTo(this.time);
     this.#isStale = true;
   }
 }
