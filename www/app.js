@@ -37,6 +37,7 @@ export class App {
   /** What there is to say above the lens. @type {Note[]} */ notes = [];
   /** Why there is no engine. */ failure = '';
   isDrawerOpen = false;
+  /** Whether less motion is asked for: then time goes slowly or not at all. */ isStill = false;
   /** Counts the changes that a hand has ended: each is a reason to speak. */ occasion = 0;
   /** Whether the outlook is to be looked at anew though no time has gone by. */ isLookDue = true;
   /** Called after each change of what elements show. */ onChange = () => {};
@@ -106,6 +107,7 @@ export class App {
    */
   open(engine, addresses, { isStill }) {
     this.engine = engine;
+    this.isStill = isStill;
     if (!addresses.some((address) => this.openLink(address))) {
       this.store.follow({ parameters: this.usual, run: openingRun });
       this.store.follow({ links: linksThatHold(engine, openingObject, this.usual) });
@@ -150,15 +152,22 @@ export class App {
   setRate() {
     const { frequency, present } = this.session?.outlook ?? {};
     const { mode, slow } = this.state.clock;
-    this.clock.mode = mode;
+    this.clock.mode = this.isStill ? 'slow' : mode;
     this.clock.slow = slow ?? slowRateFor(frequency ?? present?.frequency ?? null);
     this.lockStrobe();
   }
 
-  /** The strobe follows the beat of now. */
+  /** The strobe follows the beat of now; where there is none it has nothing to lock to. */
   lockStrobe() {
-    const beat = this.session?.frequency;
+    const beat = this.session?.outlook.present.frequency;
     this.clock.period = beat ? 1 / beat : null;
+  }
+
+  /** Less motion is asked for, or no more. @param {boolean} isStill */
+  beStill(isStill) {
+    this.isStill = isStill;
+    this.clock.mode = isStill ? 'slow' : this.state.clock.mode;
+    this.onChange();
   }
 
   /** A hand ended what it did: look anew, and speak. */

@@ -80,7 +80,9 @@ export class Loop {
     const { clock } = this.#app;
     session.advance(clock.elapse(now / 1000));
     this.#look(session, now);
-    const exposure = clock.isPlaying && clock.isTooFast(session.frequency) ? clock.exposure : 0;
+    // A wheel in a hand stands still, however fast time goes.
+    const isBlurred = clock.isPlaying && !session.isHeld && clock.isTooFast(session.frequency);
+    const exposure = isBlurred ? clock.exposure : 0;
     const scene = session.scene({ ...stage.wanted, exposure });
     if (this.#wildValues(scene.parameters).length === 0) this.#soundScene = scene;
     this.#draw(scene, stage, theme);

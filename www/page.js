@@ -13,6 +13,8 @@ import { shortcutOf } from './keys.js';
 import { lensElement } from './lens/elements.js';
 import { Loop } from './loop.js';
 
+const stillness = matchMedia('(prefers-reduced-motion: reduce)');
+
 /**
  * The page: header, stage, lens, dock. It shows what the app holds, carries commands to it, keeps the address, and has the
  * frames drawn.
@@ -40,6 +42,7 @@ export class Page extends LitElement {
     this.#dress();
     for (const query of ['(prefers-color-scheme: dark)', '(min-width: 1000px)', '(min-width: 1100px)'])
       matchMedia(query).addEventListener('change', () => this.#loop.redress());
+    stillness.addEventListener('change', () => this.#app.beStill(stillness.matches));
     document.fonts.addEventListener('loadingdone', () => this.#loop.redress());
     window.addEventListener('hashchange', () => this.#app.openLink(location.hash));
     window.addEventListener('pagehide', () => this.#remember());
@@ -59,8 +62,9 @@ export class Page extends LitElement {
       <shimmy-header role="banner" .voice=${voice} .theme=${theme} .canUndo=${store.canUndo} .canRedo=${store.canRedo}
         .isReady=${session !== null} .isShared=${this.isShared}></shimmy-header>
       <main>
-        <shimmy-stage .voice=${voice} .isReady=${session !== null} .isPlaying=${clock.isPlaying} .mode=${rate.mode} .slow=${clock.slow}
-          .step=${clock.step} .views=${views} .failure=${app.failure} .isVeiled=${isVeiled}></shimmy-stage>
+        <shimmy-stage .voice=${voice} .isReady=${session !== null} .isPlaying=${clock.isPlaying} .isStill=${app.isStill}
+          .isHeld=${session?.isHeld ?? false} .mode=${clock.mode} .slow=${clock.slow} .isChosen=${rate.slow !== null} .step=${clock.step}
+          .quantities=${quantities} .ghostCount=${app.state.ghosts.length} .views=${views} .failure=${app.failure} .isVeiled=${isVeiled}></shimmy-stage>
         <section class="lens" aria-label=${voice.say('lens.name')}>
           <shimmy-notice .voice=${voice} .notes=${app.notes}></shimmy-notice>
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}></shimmy-lens-tabs>
@@ -83,8 +87,7 @@ export class Page extends LitElement {
     const app = this.#app;
     try {
       const engine = await loadEngine();
-      const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
-      app.open(engine, [location.hash, location.search, recall().link ?? ''], { isStill });
+      app.open(engine, [location.hash, location.search, recall().link ?? ''], { isStill: stillness.matches });
     } catch (error) {
       app.failure = error instanceof Error ? error.message : String(error);
       this.requestUpdate();

@@ -22,7 +22,8 @@
  *   theme: 'system' | 'light' | 'dark',
  * }} State `run`: how it begins, and what was done to it up to `time`; `start`: values that were others then.
  *   `clock.slow`: how many times slower than life, null where the page chooses. `views`: what each lens (and the timeline)
- *   shows, by its name. `predict`: what would tell the future is veiled until it is revealed; `isBig`: for the last row
+ *   shows, by its name, and the `magnification` where a hand chose it. `predict`: what would tell the future is veiled until
+ *   it is revealed; `isBig`: for the last row
  *
  * @typedef {'dies-out' | 'holds' | 'grows'} Guess
  *

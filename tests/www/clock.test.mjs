@@ -1,7 +1,7 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { Clock } from '../../www/run/clock.js';
-import { isShownTruly, slowRateFor } from '../../www/run/rate.js';
+import { isShownTruly, paceAt, slowRateFor, slowRates } from '../../www/run/rate.js';
 
 const near = (/** @type {number} */ actual, /** @type {number} */ expected) =>
   assert.ok(Math.abs(actual - expected) < 1e-12, `${actual} is not ${expected}`);
@@ -57,6 +57,13 @@ test('a rate with fewer than twelve frames a cycle is not shown as a single pose
   assert.ok(!isShownTruly(10, 51.87));
   assert.ok(isShownTruly(10, 50));
   assert.ok(isShownTruly(1, null));
+});
+
+test('every rate on offer is told apart: too fast for the screen, seen, too slow to be seen', () => {
+  const paces = slowRates.map((slow) => paceAt(slow, 51.87).pace);
+  assert.deepEqual(paces, ['too-fast', 'too-fast', 'too-fast', 'too-fast', 'fits', 'fits', 'fits', 'too-slow', 'too-slow']);
+  near(paceAt(100, 50).cycle ?? NaN, 2);
+  assert.deepEqual(paceAt(500, null), { cycle: null, pace: 'fits' });
 });
 
 test('the strobe flashes once a cycle: the swing is seen at 1 Hz and grows at nearly its true pace', () => {

@@ -23,6 +23,7 @@ export const sizes = {
   desktop: { width: 836, height: 510 },
   projector: { width: 584, height: 412 },
   phone: { width: 390, height: 282 },
+  'phone-side': { width: 390, height: 282 },
 };
 
 /**

@@ -1,67 +1,86 @@
-// A hand on the wheel, as the page carries it out: over the real engine, without a browser.
+// The hand from press to lift, on a wheel as it is drawn: which pointer, how far, twist or tap.
 
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
-import init, * as engine from '../../www/pkg/shimmy.js';
-import { App } from '../../www/app.js';
+import { grabTarget } from '../../www/stage/gear/grab.js';
+import { Hand } from '../../www/stage/hand.js';
+import { DEGREE, sceneOf, sizes } from './gear-scene.mjs';
 
-await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
+const size = sizes.desktop;
+const scene = sceneOf({ psi: 3 * DEGREE });
+const { axis, center } = grabTarget(size, scene);
 
-function opened() {
-  const app = new App();
-  app.open(engine, [], { isStill: false });
-  const { session } = app;
-  assert.ok(session);
-  session.advance(0.1);
-  return { app, session };
+/** The point at which the drawn wheel's center is after it has turned by so much. @param {number} turn counter-clockwise, in rad */
+function turned(turn, from = center, about = axis) {
+  const [x, y] = [from.x - about.x, about.y - from.y];
+  return { x: about.x + x * Math.cos(turn) - y * Math.sin(turn), y: about.y - (x * Math.sin(turn) + y * Math.cos(turn)) };
 }
 
-/** @type {Parameters<import('../../www/run/session.js').Session['scene']>[0]} */
-const wanted = { moment: [-0.08, 0.02], trackLength: 1.2, stretches: 200, exposure: 0 };
+const near = (/** @type {number | null} */ actual, /** @type {number} */ expected) =>
+  assert.ok(actual !== null && Math.abs(actual - expected) < 1e-9, `${actual} is not ${expected}`);
 
-test('whatever takes the run elsewhere lets go of the wheel first, as one step of undo', () => {
-  for (const [name, value] of /** @type {[string, unknown][]} */ ([['seek', 0.05], ['back', undefined], ['start', undefined], ['rest', undefined], ['kick', undefined]])) {
-    const { app, session } = opened();
-    app.run('hold', 0.1);
-    app.run(name, value);
-    assert.ok(!session.isHeld, name);
-    assert.ok(app.store.canUndo, name);
-  }
+test('a press on the wheel takes hold, one beside it does not', () => {
+  assert.ok(new Hand().press(1, center, 0, size, scene));
+  const hand = new Hand();
+  assert.ok(!hand.press(1, { x: axis.x + 160, y: axis.y - 70 }, 0, size, scene));
+  assert.ok(!hand.isHolding);
+  assert.equal(hand.move(1, center, size, scene), null);
+  assert.equal(hand.lift(1, 10), null);
 });
 
-test('undo while the wheel is held takes back the hold and nothing before it', () => {
-  const { app, session } = opened();
-  const before = [...session.scene(wanted).state];
-  app.run('kick');
-  const kicked = [...session.scene(wanted).state];
-  app.run('hold', 0.15);
-  app.run('undo');
-  assert.ok(!session.isHeld);
-  assert.deepEqual([...session.scene(wanted).state], kicked);
-  app.run('undo');
-  assert.deepEqual([...session.scene(wanted).state], before);
+test('the wheel follows the hand about its axis, and stays where the hand stays', () => {
+  const hand = new Hand();
+  hand.press(1, center, 0, size, scene);
+  near(hand.move(1, center, size, scene), 3 * DEGREE);
+  near(hand.move(1, turned(8 * DEGREE), size, scene), 11 * DEGREE);
+  near(hand.move(1, turned(-8 * DEGREE), size, scene), -5 * DEGREE);
+  assert.equal(hand.lift(1, 100), 'twist');
 });
 
-test('the magnification stays while the wheel is held, however far it is turned', () => {
-  const { app, session } = opened();
-  app.run('magnify', 10);
-  app.run('hold', 0.4);
-  session.refresh();
-  assert.equal(session.scales.magnification, 10);
+test('the hand turns the drawn wheel: in truth it turns by that over the magnification', () => {
+  const larger = sceneOf({ psi: 0.3 * DEGREE }, { magnification: 10 });
+  const target = grabTarget(size, larger);
+  const hand = new Hand();
+  hand.press(1, target.center, 0, size, larger);
+  near(hand.move(1, turned(8 * DEGREE, target.center), size, larger), 1.1 * DEGREE);
 });
 
-test('a value changed under a held wheel stays when the hold is undone', () => {
-  const { app, session } = opened();
-  app.run('hold', 0.1);
-  session.set('dampingConstant', 60, 'drag');
-  session.settle();
-  session.advance(0.01);
-  app.run('release');
-  app.run('undo');
-  assert.equal(app.state.parameters.dampingConstant, 60);
-  assert.equal(session.scene(wanted).parameters.dampingConstant, 60);
-  assert.ok(Math.abs(session.time - 0.1) < 1e-12);
-  app.run('undo');
-  assert.equal(session.scene(wanted).parameters.dampingConstant, 20);
+test('a second finger changes nothing', () => {
+  const hand = new Hand();
+  hand.press(1, center, 0, size, scene);
+  assert.ok(!hand.press(2, center, 5, size, scene));
+  assert.equal(hand.move(2, turned(1), size, scene), null);
+  assert.equal(hand.lift(2, 10), null);
+  assert.ok(hand.isHolding);
+});
+
+test('a short press that does not move is a tap; a long one, or one that moves, is a twist', () => {
+  const pressed = () => {
+    const hand = new Hand();
+    hand.press(1, center, 1000, size, scene);
+    return hand;
+  };
+  assert.equal(pressed().lift(1, 1100), 'tap');
+  assert.equal(pressed().lift(1, 1400), 'twist');
+  const moved = pressed();
+  moved.move(1, { x: center.x + 9, y: center.y }, size, scene);
+  moved.move(1, center, size, scene);
+  assert.equal(moved.lift(1, 1100), 'twist');
+});
+
+test('a drawing that changes its size under the hand does not turn the wheel', () => {
+  const hand = new Hand();
+  hand.press(1, center, 0, size, scene);
+  const point = turned(8 * DEGREE);
+  hand.move(1, point, size, scene);
+  const held = sceneOf({ psi: 11 * DEGREE });
+  near(hand.move(1, point, { width: 700, height: 450 }, held), 11 * DEGREE);
+});
+
+test('a wheel that is dropped is out of the hand, whatever the pointer does', () => {
+  const hand = new Hand();
+  hand.press(1, center, 0, size, scene);
+  hand.drop();
+  assert.equal(hand.move(1, turned(0.1), size, scene), null);
+  assert.equal(hand.lift(1, 10), null);
 });

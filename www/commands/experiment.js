@@ -1,4 +1,5 @@
 import { openingObject, openingRun } from '../opening.js';
+import { mostGhosts } from '../run/ghosts.js';
 import { linksThatHold } from '../run/links.js';
 
 /**
@@ -26,7 +27,10 @@ export function experimentCommands(app) {
     },
     /** @param {string} name of a value that follows others */
     toggleLink: (name) => app.session?.toggleLink(name),
-    pin: () => app.session?.pin(),
+    pin: () => {
+      if (store.state.ghosts.length < mostGhosts) app.session?.pin();
+      else app.notes = [{ text: app.voice.say('clock.pin.full', { count: mostGhosts }), isAlert: false }];
+    },
     /** @param {number} index */
     unpin: (index) => app.session?.unpin(index),
     unpinAll: () => store.update({ ghosts: [] }),

@@ -8,8 +8,11 @@ export function viewCommands(app) {
   const { store } = app;
   return {
     fit: () => app.session?.fit(),
-    /** @param {number} magnification */
-    magnify: (magnification) => app.session?.magnify(magnification),
+    /** @param {number | null} factor by which angles and tire are drawn larger; null leaves it to each run */
+    magnify: (factor) => {
+      const { magnification: _, ...views } = store.state.views;
+      store.update({ views: factor === null ? views : { ...views, magnification: String(factor) } });
+    },
     /** @param {string} lens */
     lens: (lens) => store.update({ lens }),
     /** @param {{ of: string, shows: string }} choice what a lens, or the timeline, shows */

@@ -2,7 +2,8 @@
 
 import { roundLimit } from '../view/scale.js';
 
-const magnifications = [1, 2, 5, 10, 20, 50];
+/** The factors on offer. */
+export const magnifications = [1, 2, 5, 10, 20, 50];
 const degree = Math.PI / 180;
 /** Swings are drawn between 10° and 20°; this is the middle of that, in ratio. */
 const drawnSwing = Math.sqrt(10 * 20) * degree;

@@ -26,3 +26,18 @@ export function slowRateFor(frequency) {
 export function isShownTruly(slow, frequency) {
   return !frequency || (framesPerSecond * slow) / frequency >= fewestFramesPerCycle;
 }
+
+/** A cycle that takes longer than this to pass by is no longer seen as a swing, in s. */
+const longestCycle = 4;
+
+/**
+ * How long a cycle takes on the screen at a rate, in s, and whether that shows the swing.
+ * @param {number} slow
+ * @param {number | null} frequency in Hz
+ * @returns {{ cycle: number | null, pace: 'too-fast' | 'fits' | 'too-slow' }}
+ */
+export function paceAt(slow, frequency) {
+  const cycle = frequency ? slow / frequency : null;
+  const pace = !isShownTruly(slow, frequency) ? 'too-fast' : (cycle ?? 0) > longestCycle ? 'too-slow' : 'fits';
+  return { cycle, pace };
+}

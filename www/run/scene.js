@@ -67,7 +67,7 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
       orbitPast: run.history(Math.max(run.range[0], run.time - 2 * beat), run.time, 2 * samplesPerCycle),
       track: tracked(run, kept.from),
     })),
-    roll, outlook, scales, energy, frequency,
+    roll, outlook, scales, energy, frequency, exposure,
     ...looksFurther(engine, live, beat),
   };
 }

@@ -6,7 +6,7 @@
  */
 
 import { roundLimit } from '../view/scale.js';
-import { limitsFor, magnificationFor, stillFits } from './fit.js';
+import { limitsFor, magnificationFor, magnifications, stillFits } from './fit.js';
 import { Ghosts } from './ghosts.js';
 import { followed, linksBrokenBy, withFollowers } from './links.js';
 import { LiveRun } from './live-run.js';
@@ -226,7 +226,10 @@ export class Session {
     this.#isStale = false;
     this.outlook = this.#tried(() => this.#lookAhead()) ?? this.outlook;
     // Under a hand the scale stays, or the wheel would jump away from it.
-    if (!this.isHeld && this.#swing().angle * this.scales.magnification > widestDrawn) this.fit();
+    if (this.isHeld) return;
+    const { angle } = this.#swing();
+    const { magnification } = this.scales;
+    if (angle * magnification > widestDrawn && this.#magnification(angle) < magnification) this.fit();
   }
 
   /** Whether the outlook is older than the last change. */
@@ -237,11 +240,6 @@ export class Session {
   /** Chooses magnification, axes and force scale for the motion as it is and will be. */
   fit() {
     this.scales = this.#tried(() => this.#fitted()) ?? this.scales;
-  }
-
-  /** Draws angles and tire this much larger. @param {number} magnification */
-  magnify(magnification) {
-    this.scales = { ...this.scales, magnification };
   }
 
   /** A hand let go. */
@@ -396,9 +394,15 @@ export class Session {
     };
   }
 
+  /** As a hand chose, else the one that fits a swing. @param {number} angle in rad */
+  #magnification(angle) {
+    const chosen = Number(this.#store.state.views.magnification);
+    return magnifications.includes(chosen) ? chosen : magnificationFor(angle);
+  }
+
   #fitted() {
     const swing = this.#swing();
-    return { magnification: magnificationFor(swing.angle), limits: limitsFor(swing), forces: this.#forceScale() };
+    return { magnification: this.#magnification(swing.angle), limits: limitsFor(swing), forces: this.#forceScale() };
   }
 
   /** Round numbers above the largest force and moment of the motion now and to come. */
@@ -419,6 +423,8 @@ export class Session {
   /** @param {State} state @param {State} before @param {import('../store.js').Walk | null} walk */
   #follow(state, before, walk) {
     if (state.object !== before.object || state.run !== before.run) this.#begin(state);
+    if (state.views.magnification !== before.views.magnification)
+      this.scales = { ...this.scales, magnification: this.#magnification(this.#swing().angle) };
     if (state.ghosts !== before.ghosts) this.ghosts.follow(state.ghosts, this.time);
     if (walk?.deed) this.#repeatOrTakeBack(walk);
     const { parameters } = this.#live;

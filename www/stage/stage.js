@@ -1,12 +1,10 @@
 import { LitElement, html } from 'lit';
-import '../view/canvas.js';
+import './gear-view.js';
 import './timeline.js';
 import './transport.js';
 import './verdict.js';
+import { isShownTruly } from '../run/rate.js';
 import { kickImpulse } from '../run/session.js';
-import { gearEn, gearTr } from '../words/gear.js';
-import { gearAtRest } from './at-rest.js';
-import { drawGear, trackLength } from './gear/draw.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
@@ -15,11 +13,12 @@ import { drawGear, trackLength } from './gear/draw.js';
  * @typedef {import('../words/voice.js').Voice} Voice
  */
 
-const gearWords = { en: gearEn, tr: gearTr };
-
 /** "Starting the engine" is said only to those who wait this long, in ms. */
 const patience = 300;
 const framesPerSecond = 60;
+
+/** @param {Readonly<Record<string, string>>} views @returns {number | null} null where each run chooses */
+const chosenMagnification = (views) => (views.magnification ? Number(views.magnification) : null);
 
 /** The gear, its verdict over it, and the clock under it. */
 export class Stage extends LitElement {
@@ -28,8 +27,13 @@ export class Stage extends LitElement {
     isVeiled: { attribute: false },
     isReady: { attribute: false },
     isPlaying: { attribute: false },
+    isStill: { attribute: false },
+    isHeld: { attribute: false },
+    isChosen: { attribute: false },
     mode: { attribute: false },
     slow: { attribute: false },
+    quantities: { attribute: false },
+    ghostCount: { attribute: false },
     views: { attribute: false },
     step: { attribute: false },
     failure: { attribute: false },
@@ -42,7 +46,6 @@ export class Stage extends LitElement {
   };
 
   /** @type {Scene | null} */ #scene = null;
-  /** @type {Theme | null} */ #theme = null;
 
   constructor() {
     super();
@@ -51,8 +54,13 @@ export class Stage extends LitElement {
     this.isVeiled = false;
     this.isReady = false;
     this.isPlaying = false;
+    /** Whether less motion is asked for. */ this.isStill = false;
+    /** Whether a hand holds the wheel. */ this.isHeld = false;
     /** @type {import('../run/clock.js').Mode} */ this.mode = 'slow';
     this.slow = 50;
+    /** Whether a hand has chosen the slow rate. */ this.isChosen = false;
+    /** @type {import('../controls/quantity.js').Quantity[]} */ this.quantities = [];
+    this.ghostCount = 0;
     /** What the timeline shows, among others. @type {Readonly<Record<string, string>>} */ this.views = {};
     this.step = 0.001;
     this.failure = '';
@@ -76,67 +84,61 @@ export class Stage extends LitElement {
     if (!voice) return html``;
     return html`
       <div class="gear" role="group" aria-label=${voice.say('stage.name')}>
-        <shimmy-canvas .label=${voice.say('stage.gear')} .paint=${this.#paint}></shimmy-canvas>
-        <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .occasion=${this.occasion} .message=${this.#message(voice)}></shimmy-verdict>
+        <shimmy-gear .voice=${voice} .isReady=${this.isReady} .isHeld=${this.isHeld} .isPlaying=${this.isPlaying}
+          .quantities=${this.quantities} .magnification=${chosenMagnification(this.views)} .time=${this.time}></shimmy-gear>
+        <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .isHeld=${this.isHeld} .angle=${this.#scene?.state[0] ?? 0}
+          .occasion=${this.occasion} .message=${this.#message(voice)}></shimmy-verdict>
       </div>
       <shimmy-transport role="group" aria-label=${voice.say('clock.name')} .voice=${voice} .isPlaying=${this.isPlaying} .isReady=${this.isReady}
-        .slow=${this.slow} .frequency=${this.frequency} .kickImpulse=${kickImpulse}></shimmy-transport>
-      <shimmy-timeline .voice=${voice} .time=${this.time} .angle=${this.#scene?.state[0] ?? 0} .step=${this.step}></shimmy-timeline>`;
+        .isStill=${this.isStill} .mode=${this.mode} .slow=${this.slow} .isChosen=${this.isChosen} .frequency=${this.frequency}
+        .beat=${this.#beat} .kickImpulse=${kickImpulse} .ghostCount=${this.ghostCount}></shimmy-transport>
+      <shimmy-timeline .voice=${voice} .time=${this.time} .angle=${this.#scene?.state[0] ?? 0} .step=${this.step}
+        .shown=${this.views.timeline ?? ''} .quantities=${this.quantities} .isVeiled=${this.isVeiled}></shimmy-timeline>`;
   }
 
   /** What the drawings of the stage need of the session. */
   get wanted() {
-    const size = this.#canvas?.size ?? { width: 836, height: 500 };
-    return {
-      moment: this.#moment,
-      trackLength: trackLength(size, { layout: layoutName(), parameters: this.#scene?.parameters ?? gearAtRest.parameters }),
-      stretches: Math.max(60, Math.round(size.width / 3)),
-    };
+    return { moment: this.#moment, trackLength: this.#gear?.trackLength ?? 1, stretches: Math.max(60, Math.round((this.#gear?.size.width ?? 836) / 3)) };
+  }
+
+  /** What is drawn now. */
+  get scene() {
+    return this.#scene;
   }
 
   /** @param {Scene} scene @param {Theme} theme */
   draw(scene, theme) {
     this.#scene = scene;
-    this.#theme = theme;
-    this.#canvas?.redraw();
+    this.#gear?.draw(scene, this.#frame, theme);
     /** @type {import('./timeline.js').Timeline | null} */ (this.querySelector('shimmy-timeline'))?.draw(scene, this.#moment, theme);
   }
 
   /** @param {Theme} theme */
   drawAtRest(theme) {
-    this.#theme = theme;
-    this.#canvas?.redraw();
+    this.#gear?.draw(null, this.#frame, theme);
   }
 
-  get #canvas() {
-    return /** @type {import('../view/canvas.js').Canvas | null} */ (this.querySelector('.gear shimmy-canvas'));
+  get #gear() {
+    return /** @type {import('./gear-view.js').GearView | null} */ (this.querySelector('shimmy-gear'));
   }
 
-  /** The window around now: five seconds of what is seen, a hundred milliseconds at least. @returns {[number, number]} */
+  /** What the strobe can lock to, in Hz. */
+  get #beat() {
+    return this.outlook?.present.frequency ?? null;
+  }
+
+  /** Model time of a frame, in s; of the strobe, that of a flash. */
+  get #frame() {
+    const frame = 1 / framesPerSecond;
+    if (this.mode === 'slow') return frame / this.slow;
+    return this.mode === 'strobe' && this.#beat ? Math.max(frame, 1 / this.#beat) : frame;
+  }
+
+  /** The window around now: two and a half seconds of what is seen where it can be seen, a hundred milliseconds at least. @returns {[number, number]} */
   get #moment() {
-    const span = Math.max(0.1, 2.5 / this.slow);
+    const isSeen = this.mode === 'slow' && isShownTruly(this.slow, this.frequency);
+    const span = isSeen ? Math.max(0.1, 2.5 / this.slow) : 0.1;
     return [-0.8 * span, 0.2 * span];
-  }
-
-  /** @type {import('../view/canvas.js').Paint} */
-  #paint = (context, size) => {
-    const theme = this.#theme;
-    if (!theme || !this.voice) return;
-    drawGear(context, size, this.#gearScene(), theme, gearWords[this.voice.language]);
-  };
-
-  /** @returns {import('./gear/scene.js').Scene} */
-  #gearScene() {
-    const scene = this.#scene;
-    const layout = layoutName();
-    if (!scene) return { ...gearAtRest, layout };
-    const { state, parameters, forces, track, roll, extremes, trail, scales } = scene;
-    return {
-      state, parameters, forces, track, roll, extremes, trail, layout,
-      exposure: parameters.velocity / (this.slow * framesPerSecond),
-      magnification: scales.magnification,
-      forceScale: scales.forces,
-    };
   }
 
   /** @param {Voice} voice */
@@ -145,14 +147,6 @@ export class Stage extends LitElement {
     if (this.isStopped) return voice.say('verdict.stopped');
     return !this.isReady && this.isSlowToStart ? voice.say('engine.starting') : '';
   }
-}
-
-const topViewOnly = matchMedia('(max-width: 699px), (max-height: 639px)');
-const projector = matchMedia('(min-width: 1000px) and (max-width: 1099px) and (min-height: 640px)');
-
-/** @returns {import('./gear/scene.js').LayoutName} the layout in force, as style/layout.css has it */
-function layoutName() {
-  return topViewOnly.matches ? 'phone' : projector.matches ? 'projector' : 'desktop';
 }
 
 customElements.define('shimmy-stage', Stage);

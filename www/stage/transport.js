@@ -1,83 +1,117 @@
 import { LitElement, html, svg } from 'lit';
 import { tell } from '../command.js';
-import { isShownTruly, slowRates } from '../run/rate.js';
+import { mostGhosts } from '../run/ghosts.js';
+import './rate-choice.js';
 
 /** @typedef {import('../words/voice.js').Voice} Voice */
 
+/** What is said, from much room to little: see style/clock.css. */
+const rooms = ['all', 'short', 'bare', 'none'];
+
 /**
- * Play, pause, step, back to the start, the rate, a kick. Tells the command that was pressed.
+ * Play, pause, step, back to the start, how fast time goes and what that is called, a kick, a ghost. Tells the command
+ * that was pressed.
  */
 export class Transport extends LitElement {
   static properties = {
     voice: { attribute: false },
     isPlaying: { attribute: false },
     isReady: { attribute: false },
+    isStill: { attribute: false },
+    mode: { attribute: false },
     slow: { attribute: false },
+    isChosen: { attribute: false },
     frequency: { attribute: false },
+    beat: { attribute: false },
     kickImpulse: { attribute: false },
+    ghostCount: { attribute: false },
   };
+
+  #observer = new ResizeObserver(() => this.#fit());
 
   constructor() {
     super();
     /** @type {Voice | null} */ this.voice = null;
     this.isPlaying = false;
     this.isReady = false;
+    /** Without motion a run is walked through, not watched. */
+    this.isStill = false;
+    /** @type {import('../run/clock.js').Mode} */ this.mode = 'slow';
     this.slow = 50;
-    /** @type {number | null} Hz */ this.frequency = null;
+    /** Whether a hand has chosen the slow rate. */
+    this.isChosen = false;
+    /** Of the motion, in Hz. @type {number | null} */ this.frequency = null;
+    /** What the strobe can lock to, in Hz. @type {number | null} */ this.beat = null;
     this.kickImpulse = 0;
+    this.ghostCount = 0;
   }
 
   createRenderRoot() {
     return this;
   }
 
+  connectedCallback() {
+    super.connectedCallback();
+    this.#observer.observe(this);
+  }
+
+  disconnectedCallback() {
+    this.#observer.disconnect();
+    super.disconnectedCallback();
+  }
+
+  updated() {
+    // Its words may be others now; they are there only when the rate has been drawn.
+    /** @type {import('./rate-choice.js').RateChoice | null} */ (this.querySelector('shimmy-rate'))?.updateComplete.then(() => this.#fit());
+  }
+
   render() {
-    const { voice, isPlaying, isReady, slow } = this;
+    const { voice, isPlaying, isReady } = this;
     if (!voice) return html``;
-    const press = (/** @type {string} */ what) => () => tell(this, what);
-    // Without motion a run is walked through, not watched.
-    const [leads, follows] = stillness.matches ? ['primary', 'framed'] : ['framed', 'primary'];
+    const [leads, follows] = this.isStill ? ['primary', 'framed'] : ['framed', 'primary'];
     const start = voice.say('clock.start');
-    const time = duration(1 / slow, voice);
+    const does = voice.say(isPlaying ? 'clock.pause' : 'clock.play');
     return html`
-      <button type="button" class="framed icon start" title=${start} aria-label=${start} ?disabled=${!isReady} @click=${press('start')}>
+      <button type="button" class="framed icon start" title=${start} aria-label=${start} ?disabled=${!isReady} @click=${this.#press('start')}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M2 2h2.5v12H2zM14 2v12L5.5 8z" /></svg>
       </button>
-      <button type="button" class="framed step" aria-label=${voice.say('clock.back')} ?disabled=${!isReady} @click=${press('back')}>◂ <span>${voice.say('clock.step')}</span></button>
-      <button type="button" class="${follows} play" aria-label=${voice.say(isPlaying ? 'clock.pause' : 'clock.play')} ?disabled=${!isReady} @click=${press('toggle')}>
+      <button type="button" class="framed step back" aria-label=${voice.say('clock.back')} ?disabled=${!isReady} @click=${this.#press('back')}>◂ <span>${voice.say('clock.step')}</span></button>
+      <button type="button" class="${follows} play" aria-label=${does} ?disabled=${!isReady} @click=${this.#press('toggle')}>
         <svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true">${isPlaying
           ? svg`<path d="M2 1h4v14H2zM10 1h4v14h-4z" />`
           : svg`<path d="M3 1l11 7-11 7z" />`}</svg>
-        <span>${voice.say(isPlaying ? 'clock.pause' : 'clock.play')}</span>
+        <span>${does}</span>
       </button>
-      <button type="button" class="${leads} step" aria-label=${voice.say('clock.on')} ?disabled=${!isReady} @click=${press('on')}><span>${voice.say('clock.step')}</span> ▸</button>
-      <select class="framed" aria-label=${voice.say('clock.rate')} .value=${String(slow)} @change=${this.#chosen}>
-        ${slowRates.map((rate) => this.#option(rate, voice))}
-      </select>
-      <span class="scale"><span class="long">${voice.say('clock.scale', { time })}</span><span class="short" aria-hidden="true">1 s = ${time}</span></span>
-      <button type="button" class="framed kick" title=${voice.say('clock.kick.does', { impulse: this.kickImpulse })} ?disabled=${!isReady} @click=${press('kick')}>${voice.say('clock.kick')}</button>`;
+      <button type="button" class="${leads} step on" aria-label=${voice.say('clock.on')} ?disabled=${!isReady} @click=${this.#press('on')}><span>${voice.say('clock.step')}</span> ▸</button>
+      <shimmy-rate .voice=${voice} .isStill=${this.isStill} .mode=${this.mode} .slow=${this.slow} .isChosen=${this.isChosen}
+        .frequency=${this.frequency} .beat=${this.beat}></shimmy-rate>
+      <button type="button" class="framed kick" title=${voice.say('clock.kick.does', { impulse: this.kickImpulse })} ?disabled=${!isReady} @click=${this.#press('kick')}>${voice.say('clock.kick')}</button>
+      ${this.#pin(voice)}`;
   }
 
-  /** @param {number} rate @param {Voice} voice */
-  #option(rate, voice) {
-    const name = rate === 1 ? voice.say('clock.real') : voice.say('clock.slow', { slow: rate });
-    const isTrue = isShownTruly(rate, this.frequency);
-    return html`<option value=${rate} ?selected=${rate === this.slow} ?disabled=${!isTrue && rate !== this.slow}>
-      ${isTrue ? name : voice.say('clock.tooFast', { rate: name })}</option>`;
+  /** As many words as there is room for: none is cut. */
+  #fit() {
+    const scale = this.querySelector('.scale');
+    if (!scale) return;
+    for (const room of rooms) {
+      this.dataset.room = room;
+      if (scale.clientWidth > 0 && scale.scrollWidth <= scale.clientWidth) return;
+    }
   }
 
-  /** @param {Event} event */
-  #chosen(event) {
-    const slow = Number(/** @type {HTMLSelectElement} */ (event.target).value);
-    tell(this, 'rate', { mode: 'slow', slow });
+  /** A full sheet takes no more ghosts, and the command says so. @param {Voice} voice */
+  #pin(voice) {
+    const { ghostCount } = this;
+    const name = voice.say('clock.pin') + (ghostCount > 0 ? ` (${ghostCount})` : '');
+    const does = voice.say(ghostCount < mostGhosts ? 'clock.pin.does' : 'clock.pin.full', { count: mostGhosts });
+    return html`<button type="button" class="framed pin" title=${does} aria-disabled=${ghostCount >= mostGhosts}
+      ?disabled=${!this.isReady} @click=${this.#press('pin')}>${name}</button>`;
   }
-}
 
-const stillness = matchMedia('(prefers-reduced-motion: reduce)');
-
-/** @param {number} seconds @param {Voice} voice */
-function duration(seconds, voice) {
-  return seconds >= 1 ? `${voice.number(seconds, 0)} s` : `${voice.number(seconds * 1000, 0)} ms`;
+  /** @param {string} what */
+  #press(what) {
+    return () => tell(this, what);
+  }
 }
 
 customElements.define('shimmy-transport', Transport);

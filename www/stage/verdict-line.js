@@ -34,6 +34,16 @@ export function numbersOf({ verdict, settled, amplitude, frequency, present }, v
 }
 
 /**
+ * The line while a hand holds the wheel: how far it is turned, and what letting go does.
+ * @param {number} angle in rad
+ * @param {Voice} voice
+ */
+export function heldLine(angle, voice) {
+  const hint = voice.say(Math.abs(angle) > trusted ? 'verdict.limit' : 'verdict.held.hint');
+  return `${voice.number(angle * degrees, 1)}° · ${hint}`;
+}
+
+/**
  * ± an angle, with as many decimals as tell small swings apart.
  * @param {number} radians
  * @param {Voice} voice

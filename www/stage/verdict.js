@@ -1,5 +1,5 @@
 import { LitElement, html, svg } from 'lit';
-import { numbersOf } from './verdict-line.js';
+import { heldLine, numbersOf } from './verdict-line.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
@@ -14,7 +14,10 @@ const shortestSilence = 2000;
  * outlook. A screen reader hears it when the word changes, the motion settles or a hand lets go, not at every number.
  */
 export class Verdict extends LitElement {
-  static properties = { outlook: { attribute: false }, voice: { attribute: false }, message: { attribute: false }, occasion: { attribute: false }, spoken: { state: true } };
+  static properties = {
+    outlook: { attribute: false }, voice: { attribute: false }, message: { attribute: false }, occasion: { attribute: false },
+    isHeld: { attribute: false }, angle: { attribute: false }, spoken: { state: true },
+  };
 
   #spokenKey = '';
   #spokenAt = -Infinity;
@@ -28,6 +31,8 @@ export class Verdict extends LitElement {
     this.message = '';
     /** Counts the changes that a hand has ended. */
     this.occasion = 0;
+    /** Whether a hand holds the wheel: then the motion is the hand's, and there is none to judge. */ this.isHeld = false;
+    /** ψ now, in rad. */ this.angle = 0;
     this.spoken = '';
   }
 
@@ -36,7 +41,7 @@ export class Verdict extends LitElement {
   }
 
   willUpdate() {
-    if (this.outlook && this.voice) this.#speak(this.outlook, this.voice);
+    if (this.outlook && this.voice && !this.isHeld) this.#speak(this.outlook, this.voice);
   }
 
   disconnectedCallback() {
@@ -48,6 +53,9 @@ export class Verdict extends LitElement {
     const { outlook, voice } = this;
     if (!voice) return html``;
     if (this.message) return html`<p class="verdict-message" role="status">${this.message}</p>`;
+    if (this.isHeld) return html`
+      <h1 data-verdict="held">${icon('held')}<span>${voice.say('verdict.held')}</span></h1>
+      <p class="verdict-numbers">${heldLine(this.angle, voice)}</p>`;
     if (!outlook) return html``;
     return html`
       <h1 data-verdict=${outlook.verdict}>${icon(outlook.verdict)}<span>${voice.say(`verdict.${outlook.verdict}`)}</span></h1>
@@ -72,13 +80,14 @@ export class Verdict extends LitElement {
   }
 }
 
-/** @param {Outlook['verdict']} verdict */
+/** @param {Outlook['verdict'] | 'held'} verdict */
 function icon(verdict) {
   const line = {
     shimmies: svg`<path class="unstable" d="M2 15c3 0 3-4 5-4s3 9 6 9 3-16 6-16 3 12 6 12"/>`,
     grows: svg`<path class="unstable" d="M2 13c2 0 2-3 4-3s3 8 6 8 3-14 6-14 3 18 8 18"/>`,
     'dies-out': svg`<path class="stable" d="M2 4c4 0 3 16 7 16s4-11 7-11 3 5 5 5 2-2 5-2"/>`,
     rattles: svg`<path class="gap" d="M3 2v20M25 2v20"/><path class="psi" d="M6 14l5-6 6 8 5-6"/>`,
+    held: svg`<path class="psi" d="M8 22c-3-4-6-7-6-9 0-2 2-2 3-1l3 3V5c0-2 3-2 3 0v6-8c0-2 3-2 3 0v8-7c0-2 3-2 3 0v8-5c0-2 3-2 3 0v8c0 4-2 6-3 7"/>`,
     rests: svg`<path class="stable" d="M2 12h24"/>`,
   }[verdict];
   return html`<svg viewBox="0 0 28 24" width="28" height="24" aria-hidden="true">${line}</svg>`;

@@ -1,4 +1,5 @@
 import { drawGrid, drawNumbers } from './axes.js';
+import { strokeBlurred } from './blur.js';
 import { cursorWords, drawCursors, widthOfReading, writeReading } from './cursors.js';
 import { curveOf, strokeCurve } from './curve.js';
 import { fillGap } from './gap.js';
@@ -19,9 +20,10 @@ import { drawVeil } from './veil.js';
  * @typedef {{
  *   past: History, future: History, from: number, to: number, limit: number, freeplay: number, value: number,
  *   frequency: number | null, shown?: StateName, ghosts?: { label: string, past: History }[], cursors?: number[],
- *   veiled?: boolean,
+ *   veiled?: boolean, exposure?: number,
  * }} Moment `from` … `to`: the window in s relative to now; `limit`: end of the axis; `value`: the shown state now;
- *   `shown`: which state, ψ unless said; `cursors`: one or two times; `veiled`: the future is not to be seen yet
+ *   `shown`: which state, ψ unless said; `cursors`: one or two times; `veiled`: the future is not to be seen yet;
+ *   `exposure`: the time of a frame, in s, where that is too long for a single position, else 0
  */
 
 /**
@@ -34,11 +36,13 @@ import { drawVeil } from './veil.js';
  * @param {{ isSmall: boolean }} options `isSmall` leaves out the words above the plot
  */
 export function drawTimeHistory(context, box, moment, theme, voice, { isSmall }) {
-  const { past, future, from, to, limit, ghosts = [], cursors = [], shown = 'torsionAngle' } = moment;
+  const { past, future, from, to, limit, ghosts = [], cursors = [], shown = 'torsionAngle', exposure = 0 } = moment;
   const quantity = quantities[shown];
   const x = linear([from, to], [box.left, box.right]);
   const y = linear([-limit, limit], [box.bottom, box.top]);
   const curve = (/** @type {History} */ history) => curveOf(history.time, history[shown] ?? [], x, y);
+  const stroke = (/** @type {History} */ history) =>
+    (exposure > 0 ? strokeBlurred(context, curve(history), x(exposure) - x(0)) : strokeCurve(context, curve(history)));
 
   if (shown === 'torsionAngle' && moment.freeplay > 0) {
     const edge = Math.min(moment.freeplay, limit);
@@ -61,11 +65,11 @@ export function drawTimeHistory(context, box, moment, theme, voice, { isSmall })
   context.strokeStyle = theme[quantity.color];
   context.lineJoin = 'round';
   context.lineWidth = 2.2 * theme.line;
-  strokeCurve(context, curve(past));
+  stroke(past);
   if (!moment.veiled) {
     context.globalAlpha = 0.65;
     context.setLineDash([2 * theme.line, 3.5 * theme.line]);
-    strokeCurve(context, curve(future));
+    stroke(future);
     context.setLineDash([]);
     context.globalAlpha = 1;
   }
@@ -78,10 +82,12 @@ export function drawTimeHistory(context, box, moment, theme, voice, { isSmall })
   context.moveTo(x(0), box.top - 4);
   context.lineTo(x(0), box.bottom);
   context.stroke();
-  context.fillStyle = theme[quantity.color];
-  context.beginPath();
-  context.arc(x(0), y(moment.value), 4.5 * Math.sqrt(theme.line), 0, 2 * Math.PI);
-  context.fill();
+  if (exposure === 0) {
+    context.fillStyle = theme[quantity.color];
+    context.beginPath();
+    context.arc(x(0), y(moment.value), 4.5 * Math.sqrt(theme.line), 0, 2 * Math.PI);
+    context.fill();
+  }
   if (words === '') return;
   drawCursors(context, { cursors, history, shown }, box, x, y, theme);
   writeReading(context, words, box, theme, { isSmall });

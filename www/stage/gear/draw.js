@@ -67,6 +67,7 @@ export function drawGear(ctx, size, scene, theme, words, { cache = true } = {}) 
   ctx.fillRect(0, 0, size.width, size.height);
   drawSide(ctx, sheet, scene, pose, theme);
   writeSideLabels(desk);
+  if (!sheet.hasTop) return;
   if (isFan) drawTopFan(desk);
   else drawTop(desk);
 }

@@ -9,11 +9,13 @@ import { translucent } from './theme.js';
 /** The pattern repeats after this many meters, more than any sheet shows. */
 const PERIOD = 8;
 const JOINT_SPACING = 1;
+const JOINT = 0.009;
 const SPECKLES = 1000;
 /** Of so many speckles one is a larger stone. */
 const STONES = 4;
-/** The shortest streak [m], that of a runway at rest. */
+/** The shortest streak [m], that of a runway at rest, and the longest, across most of a sheet. */
 const SHORTEST = 0.012;
+const LONGEST = 2;
 
 /**
  * Speckles as x [m], height in the band (0 … 1) and own length [m], three numbers each, in an
@@ -56,7 +58,7 @@ export function drawGround(ctx, sheet, scene, theme) {
  */
 function drawSpeckles(ctx, sheet, scene, theme) {
   const { top, bottom } = sheet.band;
-  const exposure = Math.min(0.6, Math.max(0, scene.exposure));
+  const exposure = Math.min(LONGEST, Math.max(0, scene.exposure));
   const visible = sheet.width / sheet.scale;
   const inset = 4;
   const strength = 1 / (1 + 6 * exposure);
@@ -84,7 +86,8 @@ function drawSpeckles(ctx, sheet, scene, theme) {
 }
 
 /**
- * Joints between the runway's slabs, smeared by the same exposure.
+ * Joints between the runway's slabs, smeared by the same exposure: over a whole slab they are one even tint, so that
+ * nothing flickers however far the runway goes from frame to frame.
  *
  * @param {CanvasRenderingContext2D} ctx
  * @param {import('./sheet.js').Sheet} sheet
@@ -93,11 +96,13 @@ function drawSpeckles(ctx, sheet, scene, theme) {
  */
 function drawJoints(ctx, sheet, scene, theme) {
   const { top, bottom } = sheet.band;
-  const smear = Math.min(0.5, Math.max(0, scene.exposure));
-  const width = 0.009 + smear;
+  const smear = Math.max(0, scene.exposure);
+  const width = Math.min(JOINT_SPACING, JOINT + smear);
   const first = wrap(-scene.roll, JOINT_SPACING);
-  ctx.fillStyle = translucent(theme.rule, Math.min(1, 0.5 * (0.009 / width) + 0.35));
-  for (let x = first; (x - width) * sheet.scale < sheet.width; x += JOINT_SPACING) {
+  const strength = 0.5 * (JOINT / width) + (width < 0.5 ? 0.35 : 0.175 / width);
+  ctx.fillStyle = translucent(theme.rule, Math.min(1, strength));
+  if (width === JOINT_SPACING) ctx.fillRect(0, top, sheet.width, bottom - top);
+  else for (let x = first; (x - width) * sheet.scale < sheet.width; x += JOINT_SPACING) {
     ctx.fillRect((x - width) * sheet.scale, top, width * sheet.scale, bottom - top);
   }
   ctx.fillStyle = theme.rule;

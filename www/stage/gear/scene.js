@@ -16,7 +16,7 @@
  * @property {number} height
  */
 
-/** @typedef {'desktop' | 'projector' | 'phone'} LayoutName */
+/** @typedef {'desktop' | 'projector' | 'phone' | 'phone-side'} LayoutName `phone`: the top view alone, `phone-side`: the other */
 
 /**
  * The tire's forces and the spring at this instant, as the engine computes them.

@@ -20,7 +20,7 @@ export const WHEEL_WIDTH = 0.17;
  * @typedef {object} Layout
  * @property {number} verdict height at the top that belongs to the page's verdict
  * @property {number} widthM meters that the width shows
- * @property {number} topM height of the top view
+ * @property {number} topM height of the top view, 0 where there is none
  * @property {number} sideM height of the side view above its ground, 0 where there is none
  * @property {number} axisAt place of the steering axis as a share of the width
  * @property {number} protractorM
@@ -53,6 +53,11 @@ const LAYOUTS = {
     headM: 0.205, headTop: 6, headRight: 12, foot: 0, small: 13, label: 15, large: 17, line: 1.1,
     detailed: false, roomy: false,
   },
+  'phone-side': {
+    verdict: 66, widthM: 1.2, topM: 0, sideM: 0.618, axisAt: 0.55, protractorM: 0.6,
+    headM: 0.205, headTop: 6, headRight: 12, foot: 56, small: 13, label: 15, large: 17, line: 1.1,
+    detailed: false, roomy: false,
+  },
 };
 
 /**
@@ -62,6 +67,7 @@ const LAYOUTS = {
  * @property {number} scale pixels a meter
  * @property {{x: number, y: number}} axis the steering axis in the top view
  * @property {{top: number, bottom: number}} band the ground of the top view
+ * @property {boolean} hasTop whether there is a top view
  * @property {{top: number, ground: number} | null} side the side view and its ground line
  * @property {number} protractor radius [px]
  * @property {{x: number, y: number, radius: number}} head
@@ -108,6 +114,7 @@ export function sheetFor(size, scene) {
     scale,
     axis: { x: axisX, y: (layout.verdict + sideTop) / 2 },
     band: { top: layout.verdict, bottom: sideTop },
+    hasTop: layout.topM > 0,
     side: layout.sideM > 0 ? { top: sideTop, ground: height - layout.foot } : null,
     protractor: ahead * scale,
     head,
