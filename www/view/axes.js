@@ -113,18 +113,17 @@ export function drawAxes(context, frame, x, y, theme, { up, nameAt = frame.top }
   drawGrid(context, frame, x.marks, y.marks, theme);
   drawNumbers(context, frame, x.marks, y.marks, theme);
   context.fillStyle = theme.ink2;
-  const nameWithin = (/** @type {Axis} */ { name }) =>
-    name(widthOfLabel(context, name(false), theme, 600) > frame.right - frame.left + theme.size);
-  drawLabel(context, nameWithin(x), frame.right, frame.bottom + theme.size * 2.7, theme, { align: 'right', weight: 600 });
+  const nameWithin = (/** @type {Axis} */ { name }, /** @type {number} */ room) => name(widthOfLabel(context, name(false), theme, 600) > room);
+  const width = frame.right - frame.left + theme.size;
+  drawLabel(context, nameWithin(x, width), frame.right, frame.bottom + theme.size * 2.7, theme, { align: 'right', weight: 600 });
   if (up === 'above') {
-    drawLabel(context, nameWithin(y), frame.left, nameAt - theme.size * 0.8, theme, { weight: 600 });
+    drawLabel(context, nameWithin(y, width), frame.left, nameAt - theme.size * 0.8, theme, { weight: 600 });
     return;
   }
   context.save();
   context.translate(theme.size * 1.25, (frame.top + frame.bottom) / 2);
   context.rotate(-Math.PI / 2);
-  const isShort = frame.bottom - frame.top < 14 * theme.size;
-  drawLabel(context, y.name(isShort), 0, 0, theme, { align: 'center', weight: 600 });
+  drawLabel(context, nameWithin(y, frame.bottom - frame.top), 0, 0, theme, { align: 'center', weight: 600 });
   context.restore();
 }
 
