@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use crate::{
-    error::{Code, Error, Result},
+    error::{Code, Error, Result, shown},
     integrate::{Failure, Integrator, failed},
-    model::{Model, laws::Power},
+    model::{Gear, laws::Power},
     outlook::HORIZON,
     run::Posed,
 };
@@ -47,7 +47,7 @@ pub struct Energy {
 
 /// The energy of a run over its duration, or over one cycle from its start where it gives none; nothing where it does not
 /// swing.
-pub(crate) fn of<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Option<Energy>> {
+pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Option<Energy>> {
     let laws = posed.run.laws()?;
     let Some(duration) = posed.run.given_duration().map_or_else(|| cycle(posed), |given| Ok(Some(given)))? else {
         return Ok(None);
@@ -69,11 +69,16 @@ pub(crate) fn of<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Opt
     let end = laws.stored(motion.state());
     (energy.kinetic, energy.spring) = (end.0 - kinetic, end.1 - spring);
     energy.stored = energy.kinetic + energy.spring;
-    Ok(Some(energy))
+    match [energy.tire, energy.damper, energy.tread_width, energy.stored].iter().find(|part| !part.is_finite()) {
+        Some(part) => {
+            Err(Error::new(Code::NotFinite, "the energy", shown(*part), "finite: choose less extreme values"))
+        }
+        None => Ok(Some(energy)),
+    }
 }
 
 /// The time between the next two rises of the first state through zero; none where it does not swing within the horizon.
-fn cycle<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Option<f64>> {
+fn cycle<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Option<f64>> {
     let mut motion = posed.motion(HORIZON / 20.0)?;
     let mut first = None;
     while motion.time() < HORIZON {
@@ -91,7 +96,7 @@ fn cycle<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Option<f64>
     Ok(None)
 }
 
-fn step<M: Model<N>, const N: usize>(motion: &mut Integrator<M, N>, end: f64, most_steps: u64) -> Result<()> {
+fn step<S: Gear<N>, const N: usize>(motion: &mut Integrator<S, N>, end: f64, most_steps: u64) -> Result<()> {
     let time = motion.time();
     if motion.stats().steps >= most_steps {
         return Err(Error::new(Code::StepLimit, "maxSteps", time.to_string(), most_steps.to_string()));

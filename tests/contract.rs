@@ -8,7 +8,7 @@ use std::collections::HashSet;
 use common::random::Random;
 use shimmy::{
     integrate::methods,
-    model::{self, Model},
+    model::{self, Model, System},
     parameter::Scale,
     real::Dual,
 };
@@ -82,7 +82,7 @@ fn assert_sides_hold_where_they_are_said_to<M: Model<N>, const N: usize>() {
         let system = M::new(&random_values::<M, N>(&mut random));
         let x = random_state::<M, N>(&mut random);
         let mode = system.mode(0.0, &x);
-        for which in 0..M::SWITCHES {
+        for which in 0..<M::System as System<N>>::SWITCHES {
             let Some(value) = system.switch(which, 0.0, mode, &x) else { continue };
             assert!(value >= 0.0, "{}: switch {which} says {value} in the mode chosen at {x:?}", M::NAME);
             let across = system.cross(which, mode);
@@ -92,7 +92,7 @@ fn assert_sides_hold_where_they_are_said_to<M: Model<N>, const N: usize>() {
             assert_eq!(beyond, -value);
             // The laws are continuous: on the surface both sides say the same. Off it they part as the distance does.
             let kind = system.event_kind(which);
-            assert!(kind < M::EVENT_KINDS.len());
+            assert!(kind < <M::System as System<N>>::EVENT_KINDS.len());
         }
     }
 }

@@ -7,7 +7,7 @@ use common::random::Random;
 use shimmy::{
     Run,
     energy::Energy,
-    model::{Model, Torsional, TorsionalLinear},
+    model::{Model, System, Torsional, TorsionalLinear},
 };
 
 fn gear(parameters: &[(&str, f64)], psi: f64) -> Run {
@@ -172,7 +172,7 @@ fn assert_laws_are_the_model<M: Model<3>>() {
         let x: [f64; 3] = std::array::from_fn(|i| 3.0 * M::STATE[i].scale * random.between(-1.0, 1.0));
         let (system, laws) = (M::new(&values), M::laws(&values).unwrap());
         let rate = system.rate(0.0, system.mode(0.0, &x), &x);
-        let (power, forces) = (laws.power(&x), laws.forces(&x));
+        let (power, forces) = (laws.power(&x), laws.forces(&x).unwrap());
         let moment = (power.tire - power.damper - power.tread_width) / x[1] + forces.spring_torque;
         let size = (power.tire.abs() + power.damper + power.tread_width) / x[1].abs() + forces.spring_torque.abs();
         assert!((laws.moment_of_inertia * rate[1] - moment).abs() < 1e-13 * size, "{values:?} {x:?}");

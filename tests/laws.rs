@@ -109,6 +109,9 @@ fn what_cannot_be_drawn_is_refused() {
         assert_eq!(field(1.0, 1.0, samples), "samples");
     }
     assert_eq!(Curves::read(&Value::Absent).unwrap(), Curves::new(20.0 * DEGREE, 20.0 * DEGREE, 201.0).unwrap());
+    // A tire so short that a swing of a centimetre is an infinite slip.
+    let short = gear("torsional-linear", &[("relaxationLength", 1e-320)]);
+    assert_eq!(short.forces(&[0.0, 0.0, 0.01]).unwrap_err().code.name(), "not-finite");
     assert_eq!(gear("torsional", &[]).forces(&[0.0; 2]).unwrap_err().field, "state");
     assert_eq!(gear("torsional", &[]).forces(&[0.0, f64::NAN, 0.0]).unwrap_err().field, "torsionRate");
 }

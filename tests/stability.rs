@@ -7,7 +7,7 @@ use common::random::Random;
 use nalgebra::Matrix3;
 use shimmy::{
     Run,
-    model::{Model, Torsional, TorsionalLinear},
+    model::{Model, System, Torsional, TorsionalLinear},
     parameter::Parameter,
     real::Dual,
     stability::{EndKind, UnstableInterval, Variation},

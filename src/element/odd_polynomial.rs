@@ -34,6 +34,14 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
         Self { coefficients: [0.0; TERMS], to_unit: 0.0, range: f64::NEG_INFINITY }
     }
 
+    /// The straight line of this slope.
+    pub fn line(slope: f64) -> Self {
+        let mut coefficients = [0.0; TERMS];
+        coefficients[0] = slope;
+        // Beyond, the sixteenth power of x would be infinite; the function itself has none.
+        Self { coefficients, to_unit: 1.0, range: 1e18 }
+    }
+
     /// Fits `function` on |x| ≤ `range`.
     ///
     /// `function` must be odd, and analytic on the range; `size` is the size of its terms per unit of x, over all of the

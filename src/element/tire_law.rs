@@ -99,13 +99,64 @@ impl LinearTireLaw {
     }
 
     /// F_y \[N\] at the slip ratio q.
-    pub fn side_force(&self, q: f64) -> f64 {
-        self.side_force_stiffness * q
+    pub fn side_force<R: Real>(&self, q: R) -> R {
+        q * self.side_force_stiffness
     }
 
     /// M_z \[N m\] at the slip ratio q.
-    pub fn aligning_moment(&self, q: f64) -> f64 {
-        -self.aligning_stiffness * q
+    pub fn aligning_moment<R: Real>(&self, q: R) -> R {
+        q * -self.aligning_stiffness
+    }
+}
+
+/// The law of a gear's tire. Where it has no limit, its limit is infinite.
+#[derive(Clone, Copy, Debug)]
+pub enum TireLaw {
+    /// With limits, in α = arctan q.
+    Piecewise(PiecewiseTireLaw),
+    /// Without, in α = q.
+    Linear(LinearTireLaw),
+}
+
+impl TireLaw {
+    /// α \[rad\] at the slip ratio q.
+    pub fn slip_angle(&self, q: f64) -> f64 {
+        match self {
+            Self::Piecewise(_) => q.atan(),
+            Self::Linear(_) => q,
+        }
+    }
+
+    /// The slip ratio at which the side force stops growing.
+    pub fn side_force_limit(&self) -> f64 {
+        match self {
+            Self::Piecewise(law) => law.side_force_limit(),
+            Self::Linear(_) => f64::INFINITY,
+        }
+    }
+
+    /// The slip ratio beyond which there is no aligning moment.
+    pub fn aligning_limit(&self) -> f64 {
+        match self {
+            Self::Piecewise(law) => law.aligning_limit(),
+            Self::Linear(_) => f64::INFINITY,
+        }
+    }
+
+    /// F_y \[N\] at the slip ratio q.
+    pub fn side_force<R: Real>(&self, q: R, side: Side) -> R {
+        match self {
+            Self::Piecewise(law) => law.side_force(q, side),
+            Self::Linear(law) => law.side_force(q),
+        }
+    }
+
+    /// M_z \[N m\] at the slip ratio q.
+    pub fn aligning_moment<R: Real>(&self, q: R, side: Side) -> R {
+        match self {
+            Self::Piecewise(law) => law.aligning_moment(q, side),
+            Self::Linear(law) => law.aligning_moment(q),
+        }
     }
 }
 
@@ -121,7 +172,7 @@ fn slip_ratio(angle: f64) -> f64 {
 /// serves, the law itself is called.
 #[derive(Clone, Debug)]
 pub struct SteeringMoment {
-    law: PiecewiseTireLaw,
+    law: TireLaw,
     caster_length: f64,
     /// 1/σ
     slip_ratio: f64,
@@ -140,42 +191,16 @@ struct Piece {
 impl SteeringMoment {
     /// The moment of `law` about an axis that lies e = `caster_length` \[m\] ahead of the contact centre, over the moment
     /// of inertia I_z \[kg m²\], for a tire of relaxation length σ \[m\].
-    pub fn new(law: PiecewiseTireLaw, caster_length: f64, relaxation_length: f64, moment_of_inertia: f64) -> Self {
+    pub fn new(law: TireLaw, caster_length: f64, relaxation_length: f64, moment_of_inertia: f64) -> Self {
         let (slip_ratio, mobility) = (1.0 / relaxation_length, 1.0 / moment_of_inertia);
-        let (force_limit, moment_limit) = (law.side_force_limit(), law.aligning_limit());
-        // Errors are measured by the larger of the two parts, as their sum may cancel.
-        let stiffness = law.aligning_stiffness.max((caster_length * law.side_force_stiffness).abs());
-        let size = stiffness * slip_ratio * mobility;
-        let aligning = |y: f64| mobility * law.aligning_moment(y * slip_ratio, Side::Within);
-        let casting = |y: f64| -mobility * caster_length * law.side_force(y * slip_ratio, Side::Within);
-        let fit = |limit: f64, function: &dyn Fn(f64) -> f64| {
-            // Up to 45° an arc tangent is of the size of its argument; no polynomial of this length reaches further.
-            let reaches = OVERSHOOT.map(|factor| factor * limit).into_iter().filter(|reach| *reach <= 1.0);
-            let mut fits = reaches.map(|reach| OddPolynomial::fit(reach * relaxation_length, size, function));
-            fits.find(|fit| fit.range() > 0.0).unwrap_or(OddPolynomial::none())
+        let pieces = match law {
+            TireLaw::Piecewise(law) => piecewise(law, caster_length, relaxation_length, mobility),
+            TireLaw::Linear(law) => {
+                let slope =
+                    -mobility * (law.aligning_stiffness + caster_length * law.side_force_stiffness) * slip_ratio;
+                [Piece { constant: 0.0, curve: OddPolynomial::line(slope) }; 16]
+            }
         };
-        let both = fit(force_limit.min(moment_limit), &|y| aligning(y) + casting(y));
-        // Beyond tan δ only the aligning moment changes, beyond tan α_g only the side force.
-        let aligning = if moment_limit > force_limit { fit(moment_limit, &aligning) } else { OddPolynomial::zero() };
-        let casting = if force_limit > moment_limit { fit(force_limit, &casting) } else { OddPolynomial::zero() };
-        let limited = mobility * caster_length * law.side_force_stiffness * law.side_force_limit_angle;
-        let pieces = std::array::from_fn(|index| {
-            let (side_force, moment) = (index & 3, index >> 2);
-            let constant = if side_force == Side::Above as usize {
-                -limited
-            } else if side_force == Side::Below as usize {
-                limited
-            } else {
-                0.0
-            };
-            let curve = match (side_force == Side::Within as usize, moment == Side::Within as usize) {
-                (true, true) => both,
-                (false, true) => aligning,
-                (true, false) => casting,
-                (false, false) => OddPolynomial::zero(),
-            };
-            Piece { constant, curve }
-        });
         Self { law, caster_length, slip_ratio, mobility, pieces }
     }
 
@@ -202,6 +227,45 @@ impl SteeringMoment {
     }
 }
 
+/// The pieces of the steering moment of a piecewise law, by the side of F_y and, four times that, the side of M_z.
+fn piecewise(law: PiecewiseTireLaw, caster_length: f64, relaxation_length: f64, mobility: f64) -> [Piece; 16] {
+    let slip_ratio = 1.0 / relaxation_length;
+    let (force_limit, moment_limit) = (law.side_force_limit(), law.aligning_limit());
+    // Errors are measured by the larger of the two parts, as their sum may cancel.
+    let stiffness = law.aligning_stiffness.max((caster_length * law.side_force_stiffness).abs());
+    let size = stiffness * slip_ratio * mobility;
+    let aligning = |y: f64| mobility * law.aligning_moment(y * slip_ratio, Side::Within);
+    let casting = |y: f64| -mobility * caster_length * law.side_force(y * slip_ratio, Side::Within);
+    let fit = |limit: f64, function: &dyn Fn(f64) -> f64| {
+        // Up to 45° an arc tangent is of the size of its argument; no polynomial of this length reaches further.
+        let reaches = OVERSHOOT.map(|factor| factor * limit).into_iter().filter(|reach| *reach <= 1.0);
+        let mut fits = reaches.map(|reach| OddPolynomial::fit(reach * relaxation_length, size, function));
+        fits.find(|fit| fit.range() > 0.0).unwrap_or(OddPolynomial::none())
+    };
+    let both = fit(force_limit.min(moment_limit), &|y| aligning(y) + casting(y));
+    // Beyond tan δ only the aligning moment changes, beyond tan α_g only the side force.
+    let aligning = if moment_limit > force_limit { fit(moment_limit, &aligning) } else { OddPolynomial::zero() };
+    let casting = if force_limit > moment_limit { fit(force_limit, &casting) } else { OddPolynomial::zero() };
+    let limited = mobility * caster_length * law.side_force_stiffness * law.side_force_limit_angle;
+    std::array::from_fn(|index| {
+        let (side_force, moment) = (index & 3, index >> 2);
+        let constant = if side_force == Side::Above as usize {
+            -limited
+        } else if side_force == Side::Below as usize {
+            limited
+        } else {
+            0.0
+        };
+        let curve = match (side_force == Side::Within as usize, moment == Side::Within as usize) {
+            (true, true) => both,
+            (false, true) => aligning,
+            (true, false) => casting,
+            (false, false) => OddPolynomial::zero(),
+        };
+        Piece { constant, curve }
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -223,7 +287,7 @@ mod tests {
                     let (delta, alpha_g) = (delta.to_radians(), alpha_g.to_radians());
                     let law = PiecewiseTireLaw::new(180_000.0, 18_000.0, delta, alpha_g);
                     let (sigma, inertia) = (0.3, 1.7);
-                    let steering = SteeringMoment::new(law, e, sigma, inertia);
+                    let steering = SteeringMoment::new(TireLaw::Piecewise(law), e, sigma, inertia);
                     for i in -1000..=1000 {
                         let q = 1e-3 * i as f64;
                         let (force, moment) = written(q, delta, alpha_g);
@@ -248,10 +312,13 @@ mod tests {
     #[test]
     fn default_limits_are_served_by_polynomials() {
         let law = PiecewiseTireLaw::new(180_000.0, 18_000.0, 5_f64.to_radians(), 10_f64.to_radians());
-        let steering = SteeringMoment::new(law, 0.1, 1.0, 1.0);
+        let steering = SteeringMoment::new(TireLaw::Piecewise(law), 0.1, 1.0, 1.0);
         let range = |sides: usize| steering.pieces[sides].curve.range();
         assert!(range(0) > law.side_force_limit() && range(1) > law.aligning_limit());
         let law = PiecewiseTireLaw::new(180_000.0, 18_000.0, 5_f64.to_radians(), 3_f64.to_radians());
-        assert!(SteeringMoment::new(law, 0.1, 1.0, 1.0).pieces[4].curve.range() > law.side_force_limit());
+        assert!(
+            SteeringMoment::new(TireLaw::Piecewise(law), 0.1, 1.0, 1.0).pieces[4].curve.range()
+                > law.side_force_limit()
+        );
     }
 }

@@ -3,7 +3,7 @@
 use super::codec::Codec;
 use crate::{
     integrate::{Failure, Integrator},
-    model::Model,
+    model::{Gear, Tables},
 };
 
 /// Most parameters of a model: a cursor is copied often and must not allocate.
@@ -19,22 +19,23 @@ pub(super) enum Change {
 
 /// A motion with the parameter values that hold and the number of changes that have been made.
 #[derive(Clone)]
-pub(super) struct Cursor<M, const N: usize> {
-    pub integrator: Integrator<M, N>,
+pub(super) struct Cursor<S: 'static, const N: usize> {
+    pub tables: &'static Tables<S>,
+    pub integrator: Integrator<S, N>,
     parameters: [f64; MOST_PARAMETERS],
     /// Changes that have taken effect, counted from the very first.
     pub applied: usize,
 }
 
-impl<M: Model<N>, const N: usize> Cursor<M, N> {
-    pub fn new(integrator: Integrator<M, N>, parameters: &[f64], applied: usize) -> Self {
+impl<S: Gear<N>, const N: usize> Cursor<S, N> {
+    pub fn new(tables: &'static Tables<S>, integrator: Integrator<S, N>, parameters: &[f64], applied: usize) -> Self {
         let mut values = [0.0; MOST_PARAMETERS];
         values[..parameters.len()].copy_from_slice(parameters);
-        Self { integrator, parameters: values, applied }
+        Self { tables, integrator, parameters: values, applied }
     }
 
     pub fn parameters(&self) -> &[f64] {
-        &self.parameters[..M::PARAMETERS.len()]
+        &self.parameters[..self.tables.description.parameters.len()]
     }
 
     /// Makes a change at time `t` within the last step. Where it cannot be made, nothing changes.
@@ -44,7 +45,8 @@ impl<M: Model<N>, const N: usize> Cursor<M, N> {
             Change::Parameter { index, value } => {
                 let mut parameters = self.parameters;
                 parameters[index] = value;
-                self.integrator.replace(M::new(&parameters[..M::PARAMETERS.len()]), t, x)?;
+                let count = self.parameters().len();
+                self.integrator.replace((self.tables.new)(&parameters[..count]), t, x)?;
                 self.parameters = parameters;
             }
             Change::State { index, value } => {
@@ -62,13 +64,14 @@ impl<M: Model<N>, const N: usize> Cursor<M, N> {
 
     /// Writes or reads every number of the cursor. False where what was read makes no sense.
     pub fn code(&mut self, codec: &mut dyn Codec) -> bool {
-        for value in &mut self.parameters[..M::PARAMETERS.len()] {
+        let table = self.tables.description.parameters;
+        for value in &mut self.parameters[..table.len()] {
             codec.number(value);
         }
-        if !M::PARAMETERS.iter().zip(&self.parameters).all(|(parameter, value)| parameter.check(*value).is_ok()) {
+        if !table.iter().zip(&self.parameters).all(|(parameter, value)| parameter.check(*value).is_ok()) {
             return false;
         }
-        let system = M::new(self.parameters());
+        let system = (self.tables.new)(self.parameters());
         self.integrator.code(codec, system)
     }
 }

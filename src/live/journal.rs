@@ -9,7 +9,7 @@ use super::{
 use crate::{
     error::{Code, Error, Result},
     integrate::failed,
-    model::Model,
+    model::Gear,
 };
 
 /// Room made at the start: a change in every frame of the whole reach.
@@ -29,7 +29,7 @@ impl Journal {
     }
 
     /// Writes down the change with which `cursor` goes on at time `t`; what had been written after it is struck out.
-    pub fn write<M: Model<N>, const N: usize>(&mut self, cursor: &Cursor<M, N>, t: f64, change: Change) {
+    pub fn write<S: Gear<N>, const N: usize>(&mut self, cursor: &Cursor<S, N>, t: f64, change: Change) {
         self.changes.truncate(cursor.applied - self.forgotten);
         self.changes.push_back((t, change));
     }
@@ -46,12 +46,12 @@ impl Journal {
     ///
     /// # Errors
     /// A motion that cannot go on, or that takes more than `most_steps` steps; the cursor stays where it got to.
-    pub fn follow<M: Model<N>, const N: usize>(
+    pub fn follow<S: Gear<N>, const N: usize>(
         &self,
-        cursor: &mut Cursor<M, N>,
+        cursor: &mut Cursor<S, N>,
         t: f64,
         most_steps: u64,
-        mut seen: impl FnMut(&mut Cursor<M, N>),
+        mut seen: impl FnMut(&mut Cursor<S, N>),
     ) -> Result<()> {
         let mut left = most_steps;
         loop {

@@ -3,25 +3,25 @@
 use std::collections::VecDeque;
 
 use super::{INTERVAL, REACH, cursor::Cursor};
-use crate::model::Model;
+use crate::model::Gear;
 
 /// Room made at the start: keyframes of the whole reach.
 const KEYFRAMES: usize = (REACH / INTERVAL) as usize + 4;
 
 /// Cursors in the order of time, about one every [`INTERVAL`].
-pub(super) struct Keyframes<M, const N: usize>(VecDeque<Cursor<M, N>>);
+pub(super) struct Keyframes<S: 'static, const N: usize>(VecDeque<Cursor<S, N>>);
 
-impl<M: Model<N>, const N: usize> Keyframes<M, N> {
+impl<S: Gear<N>, const N: usize> Keyframes<S, N> {
     /// With its first keyframe.
-    pub fn from(first: Cursor<M, N>) -> Self {
+    pub fn from(first: Cursor<S, N>) -> Self {
         let mut keyframes = VecDeque::with_capacity(KEYFRAMES);
         keyframes.push_back(first);
         Self(keyframes)
     }
 
     /// Keeps `cursor` where a keyframe is due, and forgets what is out of reach.
-    pub fn keep(&mut self, cursor: &Cursor<M, N>) {
-        let place = |cursor: &Cursor<M, N>| (cursor.integrator.time() / INTERVAL).floor();
+    pub fn keep(&mut self, cursor: &Cursor<S, N>) {
+        let place = |cursor: &Cursor<S, N>| (cursor.integrator.time() / INTERVAL).floor();
         if self.0.back().is_some_and(|last| place(last) >= place(cursor)) {
             return;
         }
@@ -43,7 +43,7 @@ impl<M: Model<N>, const N: usize> Keyframes<M, N> {
     }
 
     /// The keyframe at or before time `t`.
-    pub fn before(&self, t: f64) -> Cursor<M, N> {
+    pub fn before(&self, t: f64) -> Cursor<S, N> {
         let after = self.0.partition_point(|keyframe| keyframe.integrator.step_start() <= t);
         self.0[after.max(1) - 1].clone()
     }

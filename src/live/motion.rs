@@ -12,7 +12,7 @@ use super::{
 use crate::{
     error::{Code, Error, Result, shown},
     integrate::Stats,
-    model::{Description, Model},
+    model::{Description, Gear},
     parameter::{Validity, check_number, parameter_index, state_index},
     run::{MOST_SAMPLES, Posed, check_fixed_step},
 };
@@ -21,21 +21,21 @@ use crate::{
 const TRACE: usize = 16_384;
 
 /// The present, what was, and the steps not yet fetched.
-pub(crate) struct Motion<M, const N: usize> {
-    posed: Posed<M, N>,
-    present: Cursor<M, N>,
+pub(crate) struct Motion<S: 'static, const N: usize> {
+    posed: Posed<S, N>,
+    present: Cursor<S, N>,
     /// The time that is shown: within the last step of `present`.
     time: f64,
     /// The latest time that has been shown.
     latest: f64,
-    keyframes: Keyframes<M, N>,
+    keyframes: Keyframes<S, N>,
     journal: Journal,
     trace: Columns,
 }
 
-impl<M: Model<N>, const N: usize> Motion<M, N> {
-    pub fn start(posed: Posed<M, N>) -> Result<Self> {
-        let present = Cursor::new(posed.motion(INTERVAL)?, posed.run.parameters(), 0);
+impl<S: Gear<N>, const N: usize> Motion<S, N> {
+    pub fn start(posed: Posed<S, N>) -> Result<Self> {
+        let present = Cursor::new(posed.tables, posed.motion(INTERVAL)?, posed.run.parameters(), 0);
         let mut trace = Columns::with_capacity(N, TRACE);
         trace.push(0.0, present.integrator.state());
         let keyframes = Keyframes::from(present.clone());
@@ -83,9 +83,9 @@ fn whole(field: &str, count: f64, least: usize) -> Result<usize> {
     Err(Error::new(code, field, shown(count), format!("a whole number from {least} to 1e7")))
 }
 
-impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
+impl<S: Gear<N>, const N: usize> Live for Motion<S, N> {
     fn description(&self) -> Description {
-        Description::of::<N, M>()
+        self.posed.tables.description
     }
 
     fn time(&self) -> f64 {
@@ -123,8 +123,9 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
     }
 
     fn set(&mut self, name: &str, value: f64) -> Result<()> {
-        let index = parameter_index(M::PARAMETERS, name)?;
-        let value = M::PARAMETERS[index].check(value)?;
+        let table = self.description().parameters;
+        let index = parameter_index(table, name)?;
+        let value = table[index].check(value)?;
         if self.present.parameters()[index] == value {
             return Ok(());
         }
@@ -132,14 +133,15 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
             let mut parameters = self.parameters();
             parameters[index] = value;
             let x = self.present.integrator.interpolate(self.time);
-            check_fixed_step(&M::new(&parameters), &x, step)?;
+            check_fixed_step(&(self.posed.tables.new)(&parameters), &x, step)?;
         }
         self.change(Change::Parameter { index, value })
     }
 
     fn set_state(&mut self, name: &str, value: f64) -> Result<()> {
-        let index = state_index(M::STATE, name)?;
-        let value = check_number(name, value, Validity::Finite, M::STATE[index].unit)?;
+        let table = self.description().state;
+        let index = state_index(table, name)?;
+        let value = check_number(name, value, Validity::Finite, table[index].unit)?;
         self.change(Change::State { index, value })
     }
 
@@ -149,7 +151,7 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
     }
 
     fn reset(&mut self) -> Result<()> {
-        *self = Self::start(Posed::new(self.posed.run.clone()))?;
+        *self = Self::start(Posed::new(self.posed.run.clone(), self.posed.tables))?;
         Ok(())
     }
 
@@ -207,7 +209,7 @@ impl<M: Model<N>, const N: usize> Live for Motion<M, N> {
         let mut cursor = self.keyframes.before(from);
         self.journal.follow(&mut cursor, from, u64::MAX, |_| ())?;
         envelope.take(0.0, cursor.integrator.interpolate(from)[0]);
-        let mut look = |cursor: &mut Cursor<M, N>| {
+        let mut look = |cursor: &mut Cursor<S, N>| {
             let motion = &mut cursor.integrator;
             envelope.take((motion.time() - from) / width, motion.state()[0]);
             if let Some((t, value)) = motion.turning_point(0) {

@@ -9,13 +9,13 @@ use super::{
 };
 use crate::{
     error::{Code, Error, Result},
-    model::{Description, Model},
+    model::{Description, Gear},
 };
 
 const MAGIC: &[u8; 8] = b"shimmy\0\x01";
 
 /// The moment `time` of a cursor.
-pub(super) fn write<M: Model<N>, const N: usize>(cursor: &Cursor<M, N>, time: f64) -> Vec<u8> {
+pub(super) fn write<S: Gear<N>, const N: usize>(cursor: &Cursor<S, N>, time: f64) -> Vec<u8> {
     let mut writer = Writer(MAGIC.to_vec());
     writer.bits(&mut kind(cursor));
     writer.number(&mut time.clone());
@@ -26,9 +26,10 @@ pub(super) fn write<M: Model<N>, const N: usize>(cursor: &Cursor<M, N>, time: f6
 }
 
 /// The cursor and the time of a snapshot; `like` gives what is not in it (tolerances, method).
-pub(super) fn read<M: Model<N>, const N: usize>(bytes: &[u8], like: &Cursor<M, N>) -> Result<(Cursor<M, N>, f64)> {
+pub(super) fn read<S: Gear<N>, const N: usize>(bytes: &[u8], like: &Cursor<S, N>) -> Result<(Cursor<S, N>, f64)> {
+    let name = like.tables.description.name;
     let refused = |what: &str| {
-        Error::new(Code::BadSnapshot, "bytes", what, format!("a snapshot of a {} run with the same settings", M::NAME))
+        Error::new(Code::BadSnapshot, "bytes", what, format!("a snapshot of a {} run with the same settings", name))
     };
     let Some((body, sum)) = bytes.split_last_chunk::<8>() else { return Err(refused("too few bytes")) };
     let Some(rest) = body.strip_prefix(MAGIC) else { return Err(refused("bytes of something else")) };
@@ -56,8 +57,8 @@ pub(super) fn read<M: Model<N>, const N: usize>(bytes: &[u8], like: &Cursor<M, N
 
 /// Tells runs apart that cannot take up each other's motions: by their model, the version of its tables, and their
 /// settings.
-fn kind<M: Model<N>, const N: usize>(cursor: &Cursor<M, N>) -> u64 {
-    let Description { name, parameters, state, .. } = Description::of::<N, M>();
+fn kind<S: Gear<N>, const N: usize>(cursor: &Cursor<S, N>) -> u64 {
+    let Description { name, parameters, state, .. } = cursor.tables.description;
     let names = parameters.iter().map(|p| p.name).chain(state.iter().map(|s| s.name));
     let tables = std::iter::once(name).chain(names).collect::<Vec<_>>().join(" ");
     hash(format!("{tables} {}", cursor.integrator.settings()).as_bytes())

@@ -7,20 +7,10 @@ use serde::Serialize;
 pub use self::curves::{Curves, ForceLaws, Kinks};
 
 use super::torsional::{PSI, PSI_RATE, Y};
-use crate::element::{
-    Side,
-    freeplay::Spring,
-    tire_law::{LinearTireLaw, PiecewiseTireLaw},
+use crate::{
+    element::{Side, freeplay::Spring, tire_law::TireLaw},
+    error::{Code, Error, Result, shown},
 };
-
-/// The law of a gear's tire.
-#[derive(Clone, Copy, Debug)]
-pub enum TireLaw {
-    /// With limits, in the slip angle α = arctan(y/σ).
-    Piecewise(PiecewiseTireLaw),
-    /// Without, in α = y/σ.
-    Linear(LinearTireLaw),
-}
 
 /// The moments about the steering axis of a wheel on a stretched-string tire, each by itself.
 ///
@@ -89,18 +79,25 @@ pub struct Power {
     pub tread_width: f64,
 }
 
-impl Laws {
-    /// α, F_y, M_z and whether F_y is at its limit, for the deformation y of the tire.
-    fn at_deformation(&self, y: f64) -> (f64, f64, f64, bool) {
-        let q = y / self.relaxation_length;
-        match self.tire {
-            TireLaw::Piecewise(law) => {
-                let (force, moment) =
-                    (Side::of(q, 0.0, law.side_force_limit()), Side::of(q, 0.0, law.aligning_limit()));
-                (q.atan(), law.side_force(q, force), law.aligning_moment(q, moment), force != Side::Within)
+impl Forces {
+    /// Themselves, where they are numbers: a tire may be so short, or a state so large, that they are not.
+    fn checked(self) -> Result<Self> {
+        let Self { slip_angle, side_force, aligning_moment, spring_torque, .. } = self;
+        match [slip_angle, side_force, aligning_moment, spring_torque].iter().find(|value| !value.is_finite()) {
+            Some(value) => {
+                Err(Error::new(Code::NotFinite, "the forces", shown(*value), "finite: choose less extreme values"))
             }
-            TireLaw::Linear(law) => (q, law.side_force(q), law.aligning_moment(q), false),
+            None => Ok(self),
         }
+    }
+}
+
+impl Laws {
+    /// α, F_y, M_z and whether F_y is at its limit, at the slip ratio q = y/σ.
+    fn at_slip_ratio(&self, q: f64) -> (f64, f64, f64, bool) {
+        let law = &self.tire;
+        let (force, moment) = (Side::of(q, 0.0, law.side_force_limit()), Side::of(q, 0.0, law.aligning_limit()));
+        (law.slip_angle(q), law.side_force(q, force), law.aligning_moment(q, moment), force != Side::Within)
     }
 
     /// s(ψ) \[rad\].
@@ -109,33 +106,40 @@ impl Laws {
     }
 
     /// Forces at the state (ψ, ψ̇, y).
-    pub fn forces(&self, x: &[f64]) -> Forces {
-        let (slip_angle, side_force, aligning_moment, side_force_limited) = self.at_deformation(x[Y]);
+    ///
+    /// # Errors
+    /// Parameters or a state so extreme that they leave the numbers.
+    pub fn forces(&self, x: &[f64]) -> Result<Forces> {
+        let (slip_angle, side_force, aligning_moment, side_force_limited) =
+            self.at_slip_ratio(x[Y] / self.relaxation_length);
         let spring_angle = self.spring_angle(x[PSI]);
         let spring_torque = -self.stiffness * spring_angle;
-        Forces { slip_angle, side_force, aligning_moment, side_force_limited, spring_angle, spring_torque }
+        Forces { slip_angle, side_force, aligning_moment, side_force_limited, spring_angle, spring_torque }.checked()
     }
 
     /// Forces at every row of the states' columns, which are of the same length.
-    pub(crate) fn along(&self, states: &[Vec<f64>]) -> ForceColumns {
+    ///
+    /// # Errors
+    /// As [`Laws::forces`].
+    pub(crate) fn along(&self, states: &[Vec<f64>]) -> Result<ForceColumns> {
         let rows = states.first().map_or(0, Vec::len);
         let empty = || Vec::with_capacity(rows);
         let (slip_angle, side_force) = (empty(), empty());
         let mut columns = ForceColumns { slip_angle, side_force, aligning_moment: empty(), spring_torque: empty() };
         for row in 0..rows {
-            let forces = self.forces(&[states[PSI][row], states[PSI_RATE][row], states[Y][row]]);
+            let forces = self.forces(&[states[PSI][row], states[PSI_RATE][row], states[Y][row]])?;
             columns.slip_angle.push(forces.slip_angle);
             columns.side_force.push(forces.side_force);
             columns.aligning_moment.push(forces.aligning_moment);
             columns.spring_torque.push(forces.spring_torque);
         }
-        columns
+        Ok(columns)
     }
 
     /// Power at the state (ψ, ψ̇, y).
     #[inline(never)]
     pub fn power(&self, x: &[f64]) -> Power {
-        let (_, side_force, aligning_moment, _) = self.at_deformation(x[Y]);
+        let (_, side_force, aligning_moment, _) = self.at_slip_ratio(x[Y] / self.relaxation_length);
         let rate = x[PSI_RATE];
         Power {
             tire: (aligning_moment - self.caster_length * side_force) * rate,

@@ -1,14 +1,15 @@
 //! Models: physics only, one file each.
 //!
-//! A model is a [`System`] of first-order equations, piecewise smooth, together with its tables ([`Model`]). To add one:
-//! write its file, and add its line to [`list`].
+//! A model is a [`System`] of first-order equations, piecewise smooth, together with its tables ([`Model`]). Models may
+//! share a system: code that moves one is compiled once a system. To add a model: write its file, and add its line to
+//! [`list`].
 
 pub mod laws;
 pub mod system;
 pub mod torsional;
 pub mod torsional_linear;
 
-pub use system::{Mode, Model, System};
+pub use system::{Gear, Mode, Model, System, Tables};
 pub use torsional::Torsional;
 pub use torsional_linear::TorsionalLinear;
 
@@ -41,7 +42,7 @@ pub struct Description {
 
 impl Description {
     /// The tables of the model `M`.
-    pub fn of<const N: usize, M: Model<N>>() -> Self {
+    pub const fn of<const N: usize, M: Model<N>>() -> Self {
         Self {
             name: M::NAME,
             title: M::TITLE,

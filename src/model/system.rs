@@ -1,6 +1,6 @@
 //! What a model offers to an integrator.
 
-use super::laws::Laws;
+use super::{Description, laws::Laws};
 use crate::{
     parameter::{Parameter, StateVariable},
     real::Real,
@@ -76,8 +76,22 @@ pub trait System<const N: usize>: Clone {
     }
 }
 
+/// A system that a live motion can be made of.
+pub trait Gear<const N: usize>: System<N> + 'static {
+    /// The state just after an impulse: an angular one in N m s about the steering axis.
+    fn kicked(&self, x: &[f64; N], impulse: f64) -> [f64; N];
+
+    /// The same gear without freeplay, where it has any: what a rattle is told by.
+    fn without_freeplay(&self) -> Option<Self> {
+        None
+    }
+}
+
 /// A system with its tables: everything that a listed model has.
-pub trait Model<const N: usize>: System<N> + 'static {
+pub trait Model<const N: usize>: 'static {
+    /// The system that moves.
+    type System: Gear<N>;
+
     /// Public name.
     const NAME: &'static str;
     /// One line for people.
@@ -88,15 +102,7 @@ pub trait Model<const N: usize>: System<N> + 'static {
     const STATE: &'static [StateVariable];
 
     /// The system for checked parameter values, in table order.
-    fn new(values: &[f64]) -> Self;
-
-    /// The state just after an impulse: an angular one in N m s about the steering axis.
-    fn kicked(&self, x: &[f64; N], impulse: f64) -> [f64; N];
-
-    /// The same gear without freeplay, where it has any: what a rattle is told by.
-    fn without_freeplay(&self) -> Option<Self> {
-        None
-    }
+    fn new(values: &[f64]) -> Self::System;
 
     /// Its force laws one by one, for checked parameter values in table order; none where it has no such laws.
     fn laws(values: &[f64]) -> Option<Laws> {
@@ -108,5 +114,21 @@ pub trait Model<const N: usize>: System<N> + 'static {
     fn linear_theory(values: &[Polynomial]) -> Option<TorsionalTheory> {
         let _ = values;
         None
+    }
+}
+
+/// A model as data: its tables, and the way to its system.
+#[derive(Debug)]
+pub struct Tables<S> {
+    /// The tables.
+    pub description: Description,
+    /// The system for checked parameter values, in table order.
+    pub new: fn(&[f64]) -> S,
+}
+
+impl<S> Tables<S> {
+    /// Those of the model `M`.
+    pub fn of<const N: usize, M: Model<N, System = S>>() -> &'static Self {
+        const { &Self { description: Description::of::<N, M>(), new: M::new } }
     }
 }

@@ -4,15 +4,12 @@ use std::ops::Mul;
 
 use serde::Serialize;
 
-use super::{
-    Mode, Model, System,
-    laws::{Laws, TireLaw},
-};
+use super::{Gear, Mode, Model, System, laws::Laws};
 use crate::{
     element::{
         Boundary, Side,
         freeplay::Spring,
-        tire_law::{PiecewiseTireLaw, SteeringMoment},
+        tire_law::{PiecewiseTireLaw, SteeringMoment, TireLaw},
     },
     parameter::{Parameter, Scale, StateVariable, Validity},
     real::Real,
@@ -94,6 +91,25 @@ pub struct Torsional {
     tire: SteeringMoment,
 }
 
+impl Torsional {
+    /// A wheel with these laws that rolls with the velocity v \[m/s\] on a tire of half contact length a \[m\].
+    pub fn rolling(laws: &Laws, velocity: f64, half_contact_length: f64) -> Self {
+        let Laws { relaxation_length, moment_of_inertia, .. } = *laws;
+        Self {
+            velocity,
+            lever: laws.caster_length - half_contact_length,
+            relaxation_rate: velocity / relaxation_length,
+            slip_ratio: 1.0 / relaxation_length,
+            mobility: 1.0 / moment_of_inertia,
+            damping: (laws.damping + laws.tread_damping) / moment_of_inertia,
+            stiffness: laws.stiffness,
+            spring: Spring::new(laws.stiffness / moment_of_inertia, laws.freeplay),
+            limits: [laws.tire.side_force_limit(), laws.tire.aligning_limit()],
+            tire: SteeringMoment::new(laws.tire, laws.caster_length, relaxation_length, moment_of_inertia),
+        }
+    }
+}
+
 impl System<3> for Torsional {
     const SWITCHES: usize = 6;
     const EVENT_KINDS: &'static [&'static str] = &["side-force-limit", "aligning-moment-limit", "freeplay"];
@@ -150,31 +166,7 @@ fn kink_and_boundary(which: usize) -> (usize, Boundary) {
     (which / 2, if which.is_multiple_of(2) { Boundary::Upper } else { Boundary::Lower })
 }
 
-impl Model<3> for Torsional {
-    const NAME: &'static str = "torsional";
-    const TITLE: &'static str = "Torsional nose landing gear on a stretched-string tire";
-    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
-    const STATE: &'static [StateVariable] = &STATE;
-
-    fn new(values: &[f64]) -> Self {
-        let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, delta, alpha_g, kappa, freeplay] = values else {
-            unreachable!("a checked run has as many values as the table has parameters")
-        };
-        let law = PiecewiseTireLaw::new(c_f_alpha * f_z, c_m_alpha * f_z, delta, alpha_g);
-        Self {
-            velocity: v,
-            lever: e - a,
-            relaxation_rate: v / sigma,
-            slip_ratio: 1.0 / sigma,
-            mobility: 1.0 / i_z,
-            damping: (c + kappa / v) / i_z,
-            stiffness: k,
-            spring: Spring::new(k / i_z, freeplay),
-            limits: [law.side_force_limit(), law.aligning_limit()],
-            tire: SteeringMoment::new(law, e, sigma, i_z),
-        }
-    }
-
+impl Gear<3> for Torsional {
     fn kicked(&self, x: &[f64; 3], impulse: f64) -> [f64; 3] {
         [x[PSI], x[PSI_RATE] + impulse * self.mobility, x[Y]]
     }
@@ -182,6 +174,21 @@ impl Model<3> for Torsional {
     fn without_freeplay(&self) -> Option<Self> {
         (self.spring.freeplay() > 0.0)
             .then(|| Self { spring: Spring::new(self.stiffness * self.mobility, 0.0), ..self.clone() })
+    }
+}
+
+impl Model<3> for Torsional {
+    type System = Self;
+    const NAME: &'static str = "torsional";
+    const TITLE: &'static str = "Torsional nose landing gear on a stretched-string tire";
+    const PARAMETERS: &'static [Parameter] = &PARAMETERS;
+    const STATE: &'static [StateVariable] = &STATE;
+
+    fn new(values: &[f64]) -> Self {
+        let (Some(laws), [v, _, a, ..]) = (Self::laws(values), values) else {
+            unreachable!("a checked run has as many values as the table has parameters")
+        };
+        Self::rolling(&laws, *v, *a)
     }
 
     fn laws(values: &[f64]) -> Option<Laws> {

@@ -1,14 +1,13 @@
 //! The torsional gear for small motions.
 
 use super::{
-    Mode, Model, System,
-    laws::{Laws, TireLaw},
-    torsional::{PARAMETERS as FULL, PSI, PSI_RATE, STATE, Y},
+    Model, Torsional,
+    laws::Laws,
+    torsional::{PARAMETERS as FULL, STATE},
 };
 use crate::{
-    element::tire_law::LinearTireLaw,
+    element::tire_law::{LinearTireLaw, TireLaw},
     parameter::{Parameter, StateVariable},
-    real::Real,
     stability::{Polynomial, TorsionalTheory},
 };
 
@@ -23,54 +22,22 @@ use crate::{
 ///
 /// # Limits
 /// v > 0. Unstable motions grow without bound: a long run ends with an error that says when.
-#[derive(Clone, Debug)]
-pub struct TorsionalLinear {
-    velocity: f64,
-    /// e − a
-    lever: f64,
-    /// v/σ
-    relaxation_rate: f64,
-    /// 1/I_z
-    mobility: f64,
-    stiffness: f64,
-    /// c + κ/v
-    damping: f64,
-    /// (c_Mα + e c_Fα) F_z/σ
-    tire_stiffness: f64,
-}
-
-impl System<3> for TorsionalLinear {
-    #[inline(always)]
-    fn rate<R: Real>(&self, _t: R, _mode: Mode, x: &[R; 3]) -> [R; 3] {
-        let [psi, psi_rate, y] = *x;
-        let torque = -(psi * self.stiffness) - psi_rate * self.damping - y * self.tire_stiffness;
-        [psi_rate, torque * self.mobility, psi * self.velocity + psi_rate * self.lever - y * self.relaxation_rate]
-    }
-}
+/// It is the torsional gear's system with straight laws and no kink.
+#[derive(Clone, Copy, Debug)]
+pub struct TorsionalLinear;
 
 impl Model<3> for TorsionalLinear {
+    type System = Torsional;
     const NAME: &'static str = "torsional-linear";
     const TITLE: &'static str = "Torsional nose landing gear, linearised";
     const PARAMETERS: &'static [Parameter] = &PARAMETERS;
     const STATE: &'static [StateVariable] = &STATE;
 
-    fn new(values: &[f64]) -> Self {
-        let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, kappa] = values else {
+    fn new(values: &[f64]) -> Torsional {
+        let (Some(laws), [v, _, a, ..]) = (Self::laws(values), values) else {
             unreachable!("a checked run has as many values as the table has parameters")
         };
-        Self {
-            velocity: v,
-            lever: e - a,
-            relaxation_rate: v / sigma,
-            mobility: 1.0 / i_z,
-            stiffness: k,
-            damping: c + kappa / v,
-            tire_stiffness: (c_m_alpha + e * c_f_alpha) * f_z / sigma,
-        }
-    }
-
-    fn kicked(&self, x: &[f64; 3], impulse: f64) -> [f64; 3] {
-        [x[PSI], x[PSI_RATE] + impulse * self.mobility, x[Y]]
+        Torsional::rolling(&laws, *v, *a)
     }
 
     fn laws(values: &[f64]) -> Option<Laws> {

@@ -1,7 +1,7 @@
 //! Where a swing goes that changes too slowly to be followed.
 
 use super::watch::{Cycle, End, Watch};
-use crate::{error::Result, integrate::failed, model::Model};
+use crate::{error::Result, integrate::failed, model::Gear};
 
 /// Cycles after a jump until only the slow motion is left: the others fade within one or two.
 const SETTLING: usize = 6;
@@ -17,8 +17,8 @@ const GONE: f64 = 1e-3;
 /// Near a Hopf point an amplitude A grows by ln(A′/A) ≈ g(A²) a cycle, with g nearly straight: its zero is the limit
 /// cycle. The state is scaled to where g should be zero, followed for a few cycles, and g is known better: a secant
 /// method whose every value is a true cycle of the motion.
-pub(super) fn shortcut<M: Model<N>, const N: usize>(
-    watch: &mut Watch<M, N>,
+pub(super) fn shortcut<S: Gear<N>, const N: usize>(
+    watch: &mut Watch<S, N>,
     cycles: &[Cycle<N>],
     most_steps: u64,
 ) -> Result<(End, Cycle<N>)> {
@@ -57,8 +57,8 @@ pub(super) fn shortcut<M: Model<N>, const N: usize>(
 }
 
 /// Scales the state, lets the motion settle, and gives its last two cycles; `None` where it does not swing there.
-fn settled<M: Model<N>, const N: usize>(
-    watch: &mut Watch<M, N>,
+fn settled<S: Gear<N>, const N: usize>(
+    watch: &mut Watch<S, N>,
     factor: f64,
     like: &Cycle<N>,
     most_steps: u64,

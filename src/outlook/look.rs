@@ -7,7 +7,8 @@ use super::{
 use crate::{
     error::Result,
     integrate::{Failure, Integrator, failed},
-    model::Model,
+    model::Gear,
+    parameter::StateVariable,
 };
 
 /// A cycle repeats when its amplitude changes by less than this over [`REPEATS`] cycles.
@@ -19,8 +20,8 @@ const GONE: f64 = 1e-5;
 const STILL: f64 = 1e-6;
 
 /// What was seen.
-pub(super) struct Look<M, const N: usize> {
-    pub motion: Integrator<M, N>,
+pub(super) struct Look<S, const N: usize> {
+    pub motion: Integrator<S, N>,
     /// The cycles on the way.
     pub cycles: Vec<Cycle<N>>,
     /// First turning points of the first state: what is known before a cycle is complete.
@@ -32,15 +33,16 @@ pub(super) struct Look<M, const N: usize> {
 
 /// Follows the motion until it repeats, is gone, or the horizon is reached; where it is still on its way then, the way
 /// is cut short ([`approach`]).
-pub(super) fn look_ahead<M: Model<N>, const N: usize>(
-    motion: Integrator<M, N>,
+pub(super) fn look_ahead<S: Gear<N>, const N: usize>(
+    motion: Integrator<S, N>,
+    scales: &[StateVariable],
     horizon: f64,
     most_steps: u64,
-) -> Result<Look<M, N>> {
+) -> Result<Look<S, N>> {
     let mut watch = Watch::new(motion);
     let mut cycles: Vec<Cycle<N>> = Vec::new();
-    let start = size::<M, N>(watch.motion.state());
-    let mut fastest = size::<M, N>(watch.motion.derivative());
+    let start = size(scales, watch.motion.state());
+    let mut fastest = size(scales, watch.motion.derivative());
     let mut end = None;
     while watch.motion.time() < horizon && end.is_none() && watch.motion.stats().steps < most_steps {
         let time = watch.motion.time();
@@ -52,7 +54,7 @@ pub(super) fn look_ahead<M: Model<N>, const N: usize>(
             }
             Err(failure) => return Err(failed(failure, time)),
         }
-        let (size, speed) = (size::<M, N>(watch.motion.state()), size::<M, N>(watch.motion.derivative()));
+        let (size, speed) = (size(scales, watch.motion.state()), size(scales, watch.motion.derivative()));
         fastest = fastest.max(speed);
         end = if size < GONE * start {
             Some(End::Dies)
@@ -72,14 +74,14 @@ pub(super) fn look_ahead<M: Model<N>, const N: usize>(
             destination = Some(cycle);
             end
         }
-        (None, _) => without_cycles::<M, N>(&watch.motion, start, fastest),
+        (None, _) => without_cycles(&watch.motion, scales, start, fastest),
     };
     Ok(Look { motion: watch.motion, cycles, turns: watch.turns, destination, end })
 }
 
 /// Largest state in units of its scale.
-fn size<M: Model<N>, const N: usize>(x: &[f64; N]) -> f64 {
-    (0..N).fold(0.0, |most: f64, i| most.max(x[i].abs() / M::STATE[i].scale))
+fn size<const N: usize>(scales: &[StateVariable], x: &[f64; N]) -> f64 {
+    x.iter().zip(scales).fold(0.0, |most: f64, (x, state)| most.max(x.abs() / state.scale))
 }
 
 /// Whether the last cycles are the same.
@@ -90,8 +92,13 @@ fn repeats<const N: usize>(cycles: &[Cycle<N>]) -> bool {
 }
 
 /// The end of a motion that does not oscillate (any more) at the horizon: by where it is and how fast it still goes.
-fn without_cycles<M: Model<N>, const N: usize>(motion: &Integrator<M, N>, start: f64, fastest: f64) -> End {
-    let (size, speed) = (size::<M, N>(motion.state()), size::<M, N>(motion.derivative()));
+fn without_cycles<S: Gear<N>, const N: usize>(
+    motion: &Integrator<S, N>,
+    scales: &[StateVariable],
+    start: f64,
+    fastest: f64,
+) -> End {
+    let (size, speed) = (size(scales, motion.state()), size(scales, motion.derivative()));
     if motion.state()[0].abs() > TRUSTED || (size > start && speed > 0.5 * fastest) {
         End::Grows
     } else if size < start {

@@ -14,7 +14,7 @@ use crate::{
     error::{Error, Result},
     integrate::failed,
     live::{Columns, Envelope},
-    model::Model,
+    model::Gear,
     run::Posed,
 };
 
@@ -77,14 +77,14 @@ pub struct Outlook {
 }
 
 /// The outlook of a run.
-pub(crate) fn of<M: Model<N>, const N: usize>(posed: &Posed<M, N>) -> Result<Outlook> {
+pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Outlook> {
     let horizon = posed.run.horizon();
     let x = posed.initial();
     let motion = posed.motion(horizon / 20.0)?;
     if motion.derivative().iter().all(|rate| *rate == 0.0) {
         return Ok(resting(x));
     }
-    let mut look = look_ahead(motion, horizon, posed.run.max_steps())?;
+    let mut look = look_ahead(motion, posed.tables.description.state, horizon, posed.run.max_steps())?;
     let (amplitude, frequency) = match &look.destination {
         Some(cycle) if !matches!(look.end, End::Stops) => (cycle.amplitude, Some(1.0 / cycle.period)),
         _ => (std::array::from_fn(|i| look.motion.state()[i].abs()), None),
@@ -132,16 +132,16 @@ fn resting<const N: usize>(x: [f64; N]) -> Outlook {
 }
 
 /// Takes the gap away, and looks whether the motion dies.
-fn lives_on_freeplay<M: Model<N>, const N: usize>(posed: &Posed<M, N>, look: &Look<M, N>) -> Result<bool> {
+fn lives_on_freeplay<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, look: &Look<S, N>) -> Result<bool> {
     let Some(system) = posed.system.without_freeplay() else { return Ok(false) };
     let mut motion = posed.motion(posed.run.horizon() / 20.0)?;
     motion.replace(system, 0.0, *look.motion.state()).map_err(|failure| failed(failure, 0.0))?;
-    let without = look_ahead(motion, posed.run.horizon(), posed.run.max_steps())?;
+    let without = look_ahead(motion, posed.tables.description.state, posed.run.horizon(), posed.run.max_steps())?;
     Ok(matches!(without.end, End::Dies))
 }
 
 /// Amplitude, frequency and trend of the first cycle.
-fn present<M, const N: usize>(look: &Look<M, N>, start: f64) -> (f64, Option<f64>, Trend) {
+fn present<S, const N: usize>(look: &Look<S, N>, start: f64) -> (f64, Option<f64>, Trend) {
     let size = |turn: Option<&(f64, f64)>| turn.map(|(_, value)| value.abs());
     let amplitude = match (size(look.turns.first()), size(look.turns.get(1))) {
         (Some(first), Some(second)) => first.max(second),
@@ -163,7 +163,7 @@ fn present<M, const N: usize>(look: &Look<M, N>, start: f64) -> (f64, Option<f64
     (amplitude, frequency, trend)
 }
 
-fn envelope<M: Model<N>, const N: usize>(look: &Look<M, N>, start: f64) -> Envelope {
+fn envelope<S: Gear<N>, const N: usize>(look: &Look<S, N>, start: f64) -> Envelope {
     let mut envelope = Envelope { time: Vec::new(), low: Vec::new(), high: Vec::new() };
     let mut take = |t: f64, low: f64, high: f64| {
         envelope.time.push(t);
@@ -188,7 +188,7 @@ fn envelope<M: Model<N>, const N: usize>(look: &Look<M, N>, start: f64) -> Envel
 }
 
 /// One period from the last rise through zero.
-fn orbit<M: Model<N>, const N: usize>(look: &mut Look<M, N>) -> Result<Columns> {
+fn orbit<S: Gear<N>, const N: usize>(look: &mut Look<S, N>) -> Result<Columns> {
     let mut columns = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
     let Some(last) = look.destination else { return Ok(columns) };
     let start = look.motion.time();

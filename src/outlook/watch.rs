@@ -2,7 +2,7 @@
 
 use crate::{
     integrate::{Failure, Integrator},
-    model::Model,
+    model::Gear,
 };
 
 /// One cycle, from a rise through zero of the first state to the next.
@@ -29,14 +29,14 @@ pub(super) enum End {
 }
 
 /// A motion under observation: its open cycle and its first turns.
-pub(super) struct Watch<M, const N: usize> {
-    pub motion: Integrator<M, N>,
+pub(super) struct Watch<S, const N: usize> {
+    pub motion: Integrator<S, N>,
     open: Option<Cycle<N>>,
     pub turns: Vec<(f64, f64)>,
 }
 
-impl<M: Model<N>, const N: usize> Watch<M, N> {
-    pub fn new(motion: Integrator<M, N>) -> Self {
+impl<S: Gear<N>, const N: usize> Watch<S, N> {
+    pub fn new(motion: Integrator<S, N>) -> Self {
         Self { motion, open: None, turns: Vec::with_capacity(4) }
     }
 

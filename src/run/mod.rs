@@ -285,7 +285,7 @@ impl Run {
         for (variable, value) in self.description().state.iter().zip(state) {
             check_number(variable.name, *value, Validity::Finite, variable.unit)?;
         }
-        Ok(self.laws()?.forces(state))
+        self.laws()?.forces(state)
     }
 
     /// Forces along a motion: one column a state, in the order of the state table.
@@ -304,7 +304,7 @@ impl Run {
                 check_number(variable.name, *value, Validity::Finite, variable.unit)?;
             }
         }
-        Ok(self.laws()?.along(states))
+        self.laws()?.along(states)
     }
 
     fn check_width(&self, width: usize) -> Result<()> {

@@ -6,7 +6,7 @@ use crate::{
     error::{Code, Error, Result, shown},
     integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, jacobian, solve},
     live::{Motion, Simulator},
-    model::Model,
+    model::{Gear, Model, Tables},
     outlook::{self, Outlook},
 };
 
@@ -35,9 +35,10 @@ pub trait Problem {
 }
 
 /// A run with the system of its model.
-pub(crate) struct Posed<M, const N: usize> {
+pub(crate) struct Posed<S: 'static, const N: usize> {
     pub run: Run,
-    pub system: M,
+    pub tables: &'static Tables<S>,
+    pub system: S,
 }
 
 impl Run {
@@ -46,7 +47,7 @@ impl Run {
         macro_rules! pose {
             ($($n:literal, $model:ty;)*) => {
                 $(if self.model == <$model>::NAME {
-                    return Box::new(Posed::<$model, $n>::new(self.clone()));
+                    return Box::new(Posed::new(self.clone(), Tables::of::<$n, $model>()));
                 })*
             };
         }
@@ -59,10 +60,10 @@ impl Run {
 /// 2.83, real axis 2.79).
 const RK4_STABLE: f64 = 2.7;
 
-impl<M: Model<N>, const N: usize> Posed<M, N> {
-    pub fn new(run: Run) -> Self {
-        let system = M::new(&run.parameters);
-        Self { run, system }
+impl<S: Gear<N>, const N: usize> Posed<S, N> {
+    pub fn new(run: Run, tables: &'static Tables<S>) -> Self {
+        let system = (tables.new)(&run.parameters);
+        Self { run, tables, system }
     }
 
     /// The state at t = 0.
@@ -71,9 +72,9 @@ impl<M: Model<N>, const N: usize> Posed<M, N> {
     }
 
     /// The motion at t = 0, with no step longer than `longest_step`.
-    pub fn motion(&self, longest_step: f64) -> Result<Integrator<M, N>> {
+    pub fn motion(&self, longest_step: f64) -> Result<Integrator<S, N>> {
         let Run { rtol, atol, step, .. } = self.run;
-        let absolute = std::array::from_fn(|i| atol.unwrap_or(rtol / 100.0 * M::STATE[i].scale));
+        let absolute = std::array::from_fn(|i| atol.unwrap_or(rtol / 100.0 * self.tables.description.state[i].scale));
         if self.run.method == Method::Always(Scheme::RungeKutta4) {
             check_fixed_step(&self.system, &self.initial(), step)?;
         }
@@ -93,7 +94,7 @@ impl<M: Model<N>, const N: usize> Posed<M, N> {
     }
 }
 
-impl<M: Model<N>, const N: usize> Problem for Posed<M, N> {
+impl<S: Gear<N>, const N: usize> Problem for Posed<S, N> {
     fn solve(&self) -> Result<Trajectory> {
         self.check_step_count(self.run.duration())?;
         solve(self.motion(f64::INFINITY)?, self.run.duration(), &self.run.output, self.run.max_steps)
@@ -104,7 +105,7 @@ impl<M: Model<N>, const N: usize> Problem for Posed<M, N> {
     }
 
     fn live(&self) -> Result<Simulator> {
-        Ok(Simulator::new(Box::new(Motion::start(Posed::<M, N>::new(self.run.clone()))?)))
+        Ok(Simulator::new(Box::new(Motion::start(Posed::new(self.run.clone(), self.tables))?)))
     }
 
     fn energy(&self) -> Result<Option<Energy>> {
@@ -114,7 +115,7 @@ impl<M: Model<N>, const N: usize> Problem for Posed<M, N> {
 
 /// A fixed step must be stable: beyond that, its result would be finite and worthless. Looked at where the motion is, in
 /// its mode, and with the spring at work where it is in the gap now.
-pub(crate) fn check_fixed_step<M: Model<N>, const N: usize>(system: &M, x: &[f64; N], step: f64) -> Result<()> {
+pub(crate) fn check_fixed_step<S: Gear<N>, const N: usize>(system: &S, x: &[f64; N], step: f64) -> Result<()> {
     let fastest = fastest_rate(system, x).max(system.without_freeplay().map_or(0.0, |gear| fastest_rate(&gear, x)));
     if step * fastest > RK4_STABLE {
         let allowed = format!("at most {:.3e} s for rk4 with these parameters", RK4_STABLE / fastest);
@@ -124,7 +125,7 @@ pub(crate) fn check_fixed_step<M: Model<N>, const N: usize>(system: &M, x: &[f64
 }
 
 /// Largest |λ| of the Jacobian at `x`; 0 where it is not finite (the motion itself says so).
-fn fastest_rate<M: Model<N>, const N: usize>(system: &M, x: &[f64; N]) -> f64 {
+fn fastest_rate<S: Gear<N>, const N: usize>(system: &S, x: &[f64; N]) -> f64 {
     let rows = jacobian(system, system.mode(0.0, x), 0.0, x);
     let matrix = nalgebra::DMatrix::from_fn(N, N, |i, j| rows[i][j]);
     if !matrix.iter().all(|entry| entry.is_finite()) {

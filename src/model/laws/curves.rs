@@ -4,8 +4,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use serde::Serialize;
 
-use super::{Laws, TireLaw};
+use super::Laws;
 use crate::{
+    element::tire_law::TireLaw,
     error::{Code, Error, Result, shown},
     parameter::{Validity, check_number},
     run::{Fields, Value},
@@ -115,7 +116,7 @@ impl Laws {
             TireLaw::Piecewise(_) => alpha.tan(),
             TireLaw::Linear(_) => alpha,
         };
-        let (_, side_force, aligning_moment, _) = self.at_deformation(q * self.relaxation_length);
+        let (_, side_force, aligning_moment, _) = self.at_slip_ratio(q);
         (side_force, aligning_moment)
     }
 
