@@ -37,7 +37,7 @@ export class GearView extends LitElement {
     isPlaying: { attribute: false },
     quantities: { attribute: false },
     magnification: { attribute: false },
-    time: { attribute: false },
+    angle: { attribute: false },
     layout: { state: true },
     isFromSide: { state: true },
   };
@@ -59,7 +59,7 @@ export class GearView extends LitElement {
     this.isPlaying = false;
     /** @type {Quantity[]} */ this.quantities = [];
     /** Chosen by hand; null where each run chooses. @type {number | null} */ this.magnification = null;
-    /** Of the run, in s: when it has moved on, so has the wheel. */ this.time = 0;
+    /** ψ as it was told last, in rad. */ this.angle = 0;
     this.layout = layoutName();
     this.isFromSide = false;
   }
@@ -148,8 +148,8 @@ export class GearView extends LitElement {
 
   /** @param {Voice} voice */
   #wheel(voice) {
-    const { state, magnification } = this.#gearScene();
-    return html`<shimmy-wheel .voice=${voice} .angle=${state[0]} .angleNow=${() => this.#scene?.state[0] ?? 0}
+    const { magnification } = this.#gearScene();
+    return html`<shimmy-wheel .voice=${voice} .angle=${this.angle} .angleNow=${() => this.#scene?.state[0] ?? 0}
       .farthest=${LARGEST_ANGLE / magnification} .isHeld=${this.isHeld} .isPlaying=${this.isPlaying}></shimmy-wheel>`;
   }
 

@@ -82,17 +82,18 @@ export class Stage extends LitElement {
   render() {
     const { voice } = this;
     if (!voice) return html``;
+    const angle = this.#scene?.state[0] ?? 0;
     return html`
       <div class="gear" role="group" aria-label=${voice.say('stage.name')}>
         <shimmy-gear .voice=${voice} .isReady=${this.isReady} .isHeld=${this.isHeld} .isPlaying=${this.isPlaying}
-          .quantities=${this.quantities} .magnification=${chosenMagnification(this.views)} .time=${this.time}></shimmy-gear>
-        <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .isHeld=${this.isHeld} .angle=${this.#scene?.state[0] ?? 0}
+          .quantities=${this.quantities} .magnification=${chosenMagnification(this.views)} .angle=${angle}></shimmy-gear>
+        <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .isHeld=${this.isHeld} .angle=${angle}
           .occasion=${this.occasion} .message=${this.#message(voice)}></shimmy-verdict>
       </div>
       <shimmy-transport role="group" aria-label=${voice.say('clock.name')} .voice=${voice} .isPlaying=${this.isPlaying} .isReady=${this.isReady}
         .isStill=${this.isStill} .mode=${this.mode} .slow=${this.slow} .isChosen=${this.isChosen} .frequency=${this.frequency}
         .beat=${this.#beat} .kickImpulse=${kickImpulse} .ghostCount=${this.ghostCount}></shimmy-transport>
-      <shimmy-timeline .voice=${voice} .time=${this.time} .angle=${this.#scene?.state[0] ?? 0} .step=${this.step}
+      <shimmy-timeline .voice=${voice} .time=${this.time} .angle=${angle} .step=${this.step}
         .shown=${this.views.timeline ?? ''} .quantities=${this.quantities} .isVeiled=${this.isVeiled}></shimmy-timeline>`;
   }
 

@@ -41,6 +41,7 @@ export class Timeline extends LitElement {
   #cursors = new ReadingCursors();
   /** Whether the arrow keys move the cursor instead of the time. */ #isReading = false;
   /** @type {Scene | null} */ #scene = null;
+  /** The time last asked for, until it is drawn: keys come faster than frames. @type {number | null} */ #sought = null;
   /** @type {Theme | null} */ #theme = null;
   /** @type {[number, number]} */ #moment = [-0.08, 0.02];
   /** What sets each ghost apart. @type {string[]} */ #labels = [];
@@ -99,6 +100,7 @@ export class Timeline extends LitElement {
    */
   draw(scene, moment, theme) {
     this.#scene = scene;
+    this.#sought = null;
     this.#theme = theme;
     this.#moment = moment;
     this.#canvas?.redraw();
@@ -262,10 +264,11 @@ export class Timeline extends LitElement {
     const tenths = { PageDown: -1, PageUp: 1, Home: -Infinity, End: Infinity }[key];
     if (!scene || !(steps || tenths)) return key === ' ';
     const { from, to } = scene.run;
+    const now = this.#sought ?? scene.time;
     // The lane grows when now comes near its end; End stays short of that, or each press would move it.
     const end = from + (to - from) / 1.101;
-    const jumped = Math.min(Math.max(scene.time + (tenths ?? 0) * 0.1 * (to - from), from), tenths === Infinity ? end : to);
-    this.#seek(steps ? scene.time + steps * this.step * (shiftKey ? 10 : 1) : jumped);
+    const jumped = Math.min(Math.max(now + (tenths ?? 0) * 0.1 * (to - from), from), tenths === Infinity ? end : to);
+    this.#seek(steps ? now + steps * this.step * (shiftKey ? 10 : 1) : jumped);
     tell(this, 'settle');
     return true;
   }
@@ -297,7 +300,8 @@ export class Timeline extends LitElement {
 
   /** @param {number} time */
   #seek(time) {
-    tell(this, 'seek', Math.max(0, time));
+    this.#sought = Math.max(0, time);
+    tell(this, 'seek', this.#sought);
   }
 }
 
