@@ -9,7 +9,7 @@ import { ensureModule } from './build-wasm.mjs';
 import { ROOT } from './setup/root.mjs';
 import { end, RunFailed } from './setup/run.mjs';
 import { found, tail } from './setup/say.mjs';
-import { ask, whereIs } from './setup/shell.mjs';
+import { ask } from './setup/shell.mjs';
 import { setUp } from './setup.mjs';
 import * as report from '../benches/javascript/report.js';
 
@@ -59,14 +59,8 @@ function installPeers(env) {
   if (!ok) throw new RunFailed(`npm ci in benches/javascript:\n${tail(all)}`);
 }
 
-/** The Python that has SciPy may be in a virtual environment: SHIMMY_PYTHON names it. @param {NodeJS.ProcessEnv} env */
-function python(env) {
-  const program = whereIs(process.env.SHIMMY_PYTHON ?? 'python3', env);
-  return program ? measure(program, [join(BENCHES, 'peers.py')], env) : [{ missing: 'Python 3 (SHIMMY_PYTHON names one)' }];
-}
-
 function main() {
-  const tools = setUp('native', 'module', 'chromium');
+  const tools = setUp('native', 'module', 'python', 'chromium');
   ensureModule(tools);
   installPeers(tools.native);
   const node = (/** @type {string} */ file) =>
@@ -79,7 +73,7 @@ function main() {
     ...(quick ? native(tools.native, 'quick', ...ALONE) : native(tools.native, 'plain')),
     ...(quick ? [] : native(tools.native, 'this-cpu', ...ALONE, ...THIS_CPU)),
     ...node('peers.js'),
-    ...python(tools.native),
+    ...measure(tools.python, [join(BENCHES, 'peers.py')], tools.native),
   ];
 
   const entries = /** @type {Entry[]} */ (lines.filter((line) => line.solver));

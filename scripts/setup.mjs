@@ -9,6 +9,7 @@ import { findRust, findRustChecks } from './setup/rust.mjs';
 import { findTarget, findTargetClippy } from './setup/wasm-target.mjs';
 import { findWasmBindgen, findWasmPack } from './setup/cargo-tools.mjs';
 import { findWasmOpt } from './setup/wasm-opt.mjs';
+import { findSciPy } from './setup/python.mjs';
 import { findChromedriver, findChromium, findFirefox, findGeckodriver } from './setup/browsers.mjs';
 
 /**
@@ -21,10 +22,11 @@ import { findChromedriver, findChromium, findFirefox, findGeckodriver } from './
  * @property {string} chromedriver
  * @property {string} firefox
  * @property {string} geckodriver
+ * @property {string} python             one that has SciPy
  * @property {{chrome: string, firefox: string}} webdriver  files for wasm-bindgen's test runner
  */
 
-/** @typedef {'native' | 'module' | 'checks' | 'chromium' | 'browsers'} Need */
+/** @typedef {'native' | 'module' | 'checks' | 'chromium' | 'browsers' | 'python'} Need */
 
 /** Who needs what. Everybody needs what lists nobody. @type {{name: string, for: Need[], run: (tools: Tools) => string}[]} */
 const STEPS = [
@@ -37,6 +39,7 @@ const STEPS = [
   { name: 'wasm-opt', for: ['module'], run: findWasmOpt },
   { name: 'rustfmt, clippy', for: ['checks'], run: findRustChecks },
   { name: 'clippy for wasm32', for: ['checks'], run: findTargetClippy },
+  { name: 'SciPy', for: ['python'], run: findSciPy },
   { name: 'Chromium', for: ['chromium', 'browsers'], run: findChromium },
   { name: 'ChromeDriver', for: ['browsers'], run: findChromedriver },
   { name: 'Firefox', for: ['browsers'], run: findFirefox },
@@ -59,6 +62,7 @@ export function setUp(...needs) {
     chromedriver: '',
     firefox: '',
     geckodriver: '',
+    python: '',
     webdriver: { chrome: '', firefox: '' },
   };
   for (const name of flagsThatReplaceOurs()) found(name, 'left out, or it would replace the flags of .cargo/config.toml');
@@ -75,4 +79,4 @@ export function setUp(...needs) {
   return tools;
 }
 
-if (import.meta.url === pathToFileURL(process.argv[1]).href) setUp('native', 'module', 'checks', 'browsers');
+if (import.meta.url === pathToFileURL(process.argv[1]).href) setUp('native', 'module', 'checks', 'python', 'browsers');

@@ -10,7 +10,7 @@ import { runStages } from './setup/stages.mjs';
 import { setUp } from './setup.mjs';
 import { TARGET } from './setup/wasm-trial.mjs';
 
-const tools = setUp('native', 'module', 'checks', 'browsers');
+const tools = setUp('native', 'module', 'checks', 'python', 'browsers');
 
 /** The suite of tests/wasm.rs; the same program runs in every place. @param {NodeJS.ProcessEnv} [place] */
 const wasmSuite = (place) => () =>
@@ -37,12 +37,13 @@ const nodeTests = (folder, ...options) => () => {
     .filter((name) => name.endsWith('.test.mjs'))
     .map((name) => join(folder, name));
   if (files.length === 0) throw new RunFailed(`no tests in ${folder}`);
-  const browsers = {
+  const programs = {
+    SHIMMY_PYTHON: tools.python,
     SHIMMY_CHROMIUM: tools.chromium,
     SHIMMY_FIREFOX: tools.firefox,
     SHIMMY_GECKODRIVER: tools.geckodriver,
   };
-  run(process.execPath, ['--test', '--test-reporter=spec', ...options, ...files], { ...tools.native, ...browsers });
+  run(process.execPath, ['--test', '--test-reporter=spec', ...options, ...files], { ...tools.native, ...programs });
 };
 
 await runStages('npm test', [

@@ -6,6 +6,9 @@ import { ROOT } from './root.mjs';
 
 export const WASM_PACK = '0.15.1';
 export const GECKODRIVER = '0.37.1';
+/** They go together, on Python 3.11 and later. */
+export const NUMPY = '2.4.6';
+export const SCIPY = '1.17.1';
 
 /** wasm-bindgen's command must be of the version of the crate, which Cargo.toml pins. */
 export function wasmBindgen() {
