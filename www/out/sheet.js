@@ -1,0 +1,143 @@
+import { LitElement, html } from 'lit';
+
+/**
+ * @typedef {import('../words/voice.js').Voice} Voice
+ * @typedef {import('../words/voice.js').Key} Key
+ * @typedef {{ name: string, title: string, hasLines: boolean }} View `hasLines`: it can be had as SVG, too
+ * @typedef {{ what: 'link' | import('./file-of.js').Format, view: string }} Wish
+ */
+
+const runFormats = /** @type {const} */ (['csv', 'json', 'python']);
+
+/**
+ * The button *Share* with the sheet under it: the link, the run as files, each view on screen as a picture, and a
+ * saved run to open. Events: `out` with a wish as detail, `open` with `{ name, text }` of a chosen file. `said` tells
+ * what came of it.
+ */
+export class OutSheet extends LitElement {
+  static properties = {
+    voice: { attribute: false },
+    views: { attribute: false },
+    link: { attribute: false },
+    hasPython: { attribute: false },
+    isReady: { attribute: false },
+    said: { attribute: false },
+  };
+
+  constructor() {
+    super();
+    /** @type {Voice | null} */ this.voice = null;
+    /** @type {View[]} */ this.views = [];
+    this.link = '';
+    this.hasPython = true;
+    this.isReady = false;
+    this.said = '';
+  }
+
+  createRenderRoot() {
+    return this;
+  }
+
+  connectedCallback() {
+    super.connectedCallback();
+    document.addEventListener('pointerdown', this.#leave);
+  }
+
+  disconnectedCallback() {
+    document.removeEventListener('pointerdown', this.#leave);
+    super.disconnectedCallback();
+  }
+
+  render() {
+    const { voice } = this;
+    if (!voice) return html``;
+    const formats = runFormats.filter((format) => format !== 'python' || this.hasPython);
+    return html`
+      <details class="out" @keydown=${this.#key}>
+        <summary class="framed">
+          <svg viewBox="0 0 20 20" width="18" height="18" aria-hidden="true"><path d="M10 12.5v-10M6.5 5.5 10 2l3.5 3.5M6 9H4v8.5h12V9h-2"/></svg>
+          <span>${voice.say('out.title')}</span>
+        </summary>
+        <div class="out-sheet">
+          <section>
+            <h2>${voice.say('out.link')}</h2>
+            <p>${voice.say('out.link.does')}</p>
+            <div class="out-link">
+              <input type="text" readonly .value=${this.link} aria-label=${voice.say('out.link')} @focus=${selectAll} />
+              <button type="button" class="primary" ?disabled=${!this.isReady} @click=${() => this.#wish('link')}>${voice.say('out.link.copy')}</button>
+            </div>
+          </section>
+          <section>
+            <h2>${voice.say('out.run')}</h2>
+            <ul>${formats.map((format) => html`
+              <li><button type="button" class="out-file plain" ?disabled=${!this.isReady} @click=${() => this.#wish(format)}>
+                <b>${voice.say(`out.${format}`)}</b> <span>${voice.say(`out.${format}.does`)}</span>
+              </button></li>`)}</ul>
+          </section>
+          ${this.views.length > 0 ? this.#pictures(voice) : ''}
+          <section>
+            <label class="framed out-open" title=${voice.say('out.open.does')}>
+              ${voice.say('out.open')}
+              <input type="file" class="only-heard" accept=".json,application/json" ?disabled=${!this.isReady} @change=${this.#open} />
+            </label>
+          </section>
+          <p class="out-said" role="status">${this.said}</p>
+        </div>
+      </details>`;
+  }
+
+  /** @param {Voice} voice */
+  #pictures(voice) {
+    const button = (/** @type {View} */ { name, title }, /** @type {'png' | 'svg'} */ format) => html`
+      <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => this.#wish(format, name)}
+        aria-label=${voice.say('out.picture.as', { view: title, format: voice.say(`out.${format}`) })}>${voice.say(`out.${format}`)}</button>`;
+    return html`
+      <section>
+        <h2>${voice.say('out.pictures')}</h2>
+        <ul>${this.views.map((view) => html`
+          <li class="out-picture"><span>${view.title}</span> ${button(view, 'png')} ${view.hasLines ? button(view, 'svg') : ''}</li>`)}</ul>
+      </section>`;
+  }
+
+  get #details() {
+    return this.querySelector('details');
+  }
+
+  /** @param {Wish['what']} what @param {string} [view] */
+  #wish(what, view = '') {
+    this.dispatchEvent(new CustomEvent('out', { detail: /** @type {Wish} */ ({ what, view }) }));
+  }
+
+  /** @param {Event} event */
+  async #open(event) {
+    const input = /** @type {HTMLInputElement} */ (event.target);
+    const file = input.files?.[0];
+    if (!file) return;
+    const text = await file.text();
+    // The same file may be chosen again.
+    input.value = '';
+    this.dispatchEvent(new CustomEvent('open', { detail: { name: file.name, text } }));
+  }
+
+  /** A press elsewhere closes the sheet. @param {PointerEvent} event */
+  #leave = (event) => {
+    const details = this.#details;
+    if (details?.open && !event.composedPath().includes(details)) details.open = false;
+  };
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const details = this.#details;
+    if (event.key !== 'Escape' || !details?.open) return;
+    event.preventDefault();
+    details.open = false;
+    details.querySelector('summary')?.focus();
+  }
+}
+
+/** @param {FocusEvent} event */
+function selectAll(event) {
+  /** @type {HTMLInputElement} */ (event.target).select();
+}
+
+customElements.define('shimmy-out-sheet', OutSheet);
