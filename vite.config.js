@@ -4,12 +4,14 @@
 import { defineConfig } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 import { contentSecurityPolicy } from './scripts/bundle/content-security-policy.js';
+import { installable } from './scripts/bundle/installable.js';
 import { notices } from './scripts/bundle/notices.js';
+import { offline } from './scripts/bundle/offline.js';
 import { openedFromFile } from './scripts/bundle/opened-from-file.js';
 
 /** The site loads its own files; the single file has none. */
 const OWN_FILES = Object.fromEntries(
-  ['script-src', 'worker-src', 'connect-src', 'img-src', 'style-src', 'font-src'].map((kind) => [kind, "'self'"]),
+  ['script-src', 'worker-src', 'connect-src', 'img-src', 'style-src', 'font-src', 'manifest-src'].map((kind) => [kind, "'self'"]),
 );
 
 export default defineConfig(({ mode }) => {
@@ -30,6 +32,6 @@ export default defineConfig(({ mode }) => {
     worker: { format: single ? 'iife' : 'es' },
     plugins: single
       ? [viteSingleFile({ outputFileName: 'shimmy.html' }), notices('comment'), contentSecurityPolicy()]
-      : [openedFromFile(), notices('file'), contentSecurityPolicy(OWN_FILES)],
+      : [openedFromFile(), installable(), notices('file'), contentSecurityPolicy(OWN_FILES), offline()],
   };
 });

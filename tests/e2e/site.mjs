@@ -5,24 +5,26 @@ import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
-const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
+export const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 const subPath = '/some/where/';
 
 /** @type {Record<string, string>} */
 const types = {
   '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.woff2': 'font/woff2',
-  '.json': 'application/json', '.webmanifest': 'application/manifest+json', '.svg': 'image/svg+xml', '.txt': 'text/plain',
+  '.json': 'application/json', '.webmanifest': 'application/manifest+json', '.svg': 'image/svg+xml', '.png': 'image/png', '.txt': 'text/plain',
 };
 
 /**
- * Serves dist/ under a sub-path.
- * @returns {Promise<{ address: string, close: () => void }>}
+ * Serves dist/, or another build, under a sub-path. `show` puts another build in its place.
+ * @param {string} [folder]
+ * @returns {Promise<{ address: string, show: (folder: string) => void, close: () => void }>}
  */
-export async function serve() {
+export async function serve(folder = dist) {
+  let shown = folder;
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
     const name = path === subPath ? 'index.html' : normalize(path.slice(subPath.length));
-    const file = join(dist, name);
+    const file = join(shown, name);
     if (!path.startsWith(subPath) || name.startsWith('..') || !existsSync(file)) {
       response.writeHead(404).end();
       return;
@@ -34,6 +36,9 @@ export async function serve() {
   const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
   return {
     address: `http://127.0.0.1:${port}${subPath}`,
+    show: (other) => {
+      shown = other;
+    },
     close: () => {
       server.closeAllConnections();
       server.close();
