@@ -39,7 +39,7 @@ export function ensureModule(tools) {
 }
 
 /** The time of the last change in a file or folder; a folder's own time tells of files gone. @param {string} path @returns {number} */
-function newest(path) {
+export function newest(path) {
   const { mtimeMs } = statSync(path);
   if (!statSync(path).isDirectory()) return mtimeMs;
   return Math.max(mtimeMs, ...readdirSync(path).map((name) => newest(join(path, name))));
