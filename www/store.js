@@ -1,8 +1,9 @@
 /**
  * The one state of the page. Every change goes through `update`; views read `state` and subscribe.
  *
- * Undo walks what describes the experiment (object, parameters, run, links, ghosts), not how it is looked at. All changes
- * of one gesture (a drag, a series of arrow keys) are one step of undo.
+ * Undo walks what describes the experiment (object, parameters, run, links, ghosts), not how it is looked at; only where
+ * another experiment was opened with a look of its own, the look comes back too. All changes of one gesture (a drag, a
+ * series of arrow keys) are one step of undo.
  *
  * @typedef {import('./run/live-run.js').Change} Change
  * @typedef {import('./run/ghosts.js').Kept} Kept
@@ -28,6 +29,8 @@
  * @typedef {'dies-out' | 'holds' | 'grows'} Guess
  *
  * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'story'>} Experiment
+ * @typedef {Pick<State, 'clock' | 'lens' | 'views'>} Look
+ * @typedef {Experiment & { look: Look | null, deed: Deed | null }} Entry a step of undo; `look`: where it comes back too
  * @typedef {{ time: number, before: Record<string, number>, again: Omit<Change, 'time'> }} Deed what was done to the run
  *   that is no change of a value: when, the state before it, and how to do it again
  * @typedef {{ direction: 'undo' | 'redo', deed: Deed | null }} Walk
@@ -36,8 +39,8 @@
 const longestMemory = 200;
 
 export class Store {
-  /** @type {(Experiment & { deed: Deed | null })[]} */ #past = [];
-  /** @type {(Experiment & { deed: Deed | null })[]} */ #future = [];
+  /** @type {Entry[]} */ #past = [];
+  /** @type {Entry[]} */ #future = [];
   /** @type {string | null} */ #gesture = null;
   /** @type {Set<(state: State, before: State, walk: Walk | null) => void>} */ #listeners = new Set();
 
@@ -63,10 +66,33 @@ export class Store {
     const before = this.state;
     const after = { ...before, ...change };
     if (!isSameExperiment(before, after)) {
-      if (gesture === null || gesture !== this.#gesture) this.#remember(before, null);
+      if (gesture === null || gesture !== this.#gesture) this.#remember(before);
       this.#gesture = gesture;
     }
     this.#become(after, null);
+  }
+
+  /**
+   * Changes the state to another experiment with its look: a step of undo that brings back both.
+   * @param {Partial<State>} change
+   */
+  open(change) {
+    const before = this.state;
+    const after = { ...before, ...change };
+    if (!isSameExperiment(before, after)) this.#remember(before, { look: lookOf(before) });
+    this.settle();
+    this.#become(after, null);
+  }
+
+  /**
+   * The run as far as it has come takes the place of the run as it began, here and in the steps of undo that share it:
+   * for an experiment that is left and may be come back to. Nobody is told, for nothing changes.
+   * @param {State['run']} run
+   */
+  keepRun(run) {
+    const begun = this.state.run;
+    for (const entry of [...this.#past, ...this.#future]) if (entry.run === begun) entry.run = run;
+    this.state = { ...this.state, run };
   }
 
   /**
@@ -79,7 +105,7 @@ export class Store {
 
   /** Something was done to the run that is no change of the state, and is a step of undo. @param {Deed} deed */
   did(deed) {
-    this.#remember(this.state, deed);
+    this.#remember(this.state, { deed });
     this.settle();
     this.#become({ ...this.state }, null);
   }
@@ -107,21 +133,21 @@ export class Store {
     return () => this.#listeners.delete(listener);
   }
 
-  /** @param {State} before @param {Deed | null} deed */
-  #remember(before, deed) {
-    this.#past.push({ ...experimentOf(before), deed });
+  /** @param {State} before @param {Partial<Pick<Entry, 'look' | 'deed'>>} besides */
+  #remember(before, { look = null, deed = null } = {}) {
+    this.#past.push({ ...experimentOf(before), look, deed });
     if (this.#past.length > longestMemory) this.#past.shift();
     this.#future.length = 0;
   }
 
-  /** @param {Walk['direction']} direction @param {(Experiment & { deed: Deed | null })[]} from @param {(Experiment & { deed: Deed | null })[]} to */
+  /** @param {Walk['direction']} direction @param {Entry[]} from @param {Entry[]} to */
   #walk(direction, from, to) {
     const entry = from.pop();
     if (!entry) return;
-    const { deed, ...experiment } = entry;
-    to.push({ ...experimentOf(this.state), deed });
+    const { deed, look, ...experiment } = entry;
+    to.push({ ...experimentOf(this.state), look: look && lookOf(this.state), deed });
     this.settle();
-    this.#become({ ...this.state, ...experiment }, { direction, deed });
+    this.#become({ ...this.state, ...experiment, ...look }, { direction, deed });
   }
 
   /** @param {State} after @param {Walk | null} walk */
@@ -137,8 +163,13 @@ function experimentOf({ object, parameters, run, links, ghosts, story }) {
   return { object, parameters, run, links, ghosts, story };
 }
 
+/** @param {State} state @returns {Look} */
+function lookOf({ clock, lens, views }) {
+  return { clock, lens, views };
+}
+
 /** @param {Experiment} one @param {Experiment} other */
-function isSameExperiment(one, other) {
+export function isSameExperiment(one, other) {
   return one.object === other.object && one.ghosts === other.ghosts && isSameRecord(one.parameters, other.parameters)
     && isSameRecord(one.links, other.links) && isSameRun(one.run, other.run);
 }
@@ -149,7 +180,7 @@ function isSameRun(one, other) {
 }
 
 /** @param {Readonly<Record<string, unknown>>} one @param {Readonly<Record<string, unknown>>} other */
-function isSameRecord(one, other) {
+export function isSameRecord(one, other) {
   const names = new Set([...Object.keys(one), ...Object.keys(other)]);
   return [...names].every((name) => one[name] === other[name]);
 }

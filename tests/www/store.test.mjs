@@ -71,6 +71,49 @@ test('a change to the same value is no step, and following the run is none eithe
   assert.equal(store.state.parameters.velocity, 70);
 });
 
+test('an experiment that is opened is one step of undo, and its look comes back with it', () => {
+  const store = new Store(opening());
+  damp(store, 30, 'c');
+  store.open({ parameters: { velocity: 50, dampingConstant: 10 }, run: { initial: { torsionAngle: 0.01 } }, lens: 'forces', views: { forces: 'restoring' }, story: { name: 'one', step: 0 } });
+  damp(store, 11, 'c');
+  store.update({ lens: 'phase' });
+  store.undo();
+  assert.deepEqual([store.state.parameters.dampingConstant, store.state.lens], [10, 'phase'], 'a look alone is no step');
+  store.undo();
+  assert.deepEqual([store.state.parameters.dampingConstant, store.state.lens, store.state.views, store.state.story], [30, 'phase', {}, null]);
+  store.redo();
+  assert.deepEqual([store.state.parameters.velocity, store.state.lens, store.state.views], [50, 'phase', { forces: 'restoring' }]);
+  store.update({ language: 'tr' });
+  store.undo();
+  assert.equal(store.state.language, 'tr');
+});
+
+test('opening the same experiment anew is no step', () => {
+  const store = new Store(opening());
+  store.open({ lens: 'forces' });
+  assert.equal(store.state.lens, 'forces');
+  assert.ok(!store.canUndo);
+});
+
+test('the run as far as it has come takes the place of its start, in all steps that share it, unheard', () => {
+  const store = new Store(opening());
+  const first = store.state.run;
+  damp(store, 30);
+  const second = { initial: { torsionAngle: 0.2 } };
+  store.update({ run: second });
+  damp(store, 40);
+  let heard = 0;
+  store.subscribe(() => heard++);
+  const kept = { ...second, changes: [], time: 0.3 };
+  store.keepRun(kept);
+  assert.equal(heard, 0);
+  assert.equal(store.state.run, kept);
+  store.undo();
+  assert.equal(store.state.run, kept);
+  store.undo();
+  assert.equal(store.state.run, first, 'another run stays what it was');
+});
+
 test('subscribers hear the state and the one before it until they leave', () => {
   const store = new Store(opening());
   /** @type {number[][]} */
