@@ -1,0 +1,22 @@
+// The page without its elements, over the real engine, as it opens; and stories of presets and figures for the tests.
+
+import { readFile } from 'node:fs/promises';
+import init, * as engine from '../../www/pkg/shimmy.js';
+import { App } from '../../www/app.js';
+
+await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
+
+export { engine };
+
+/** @param {string} [address] */
+export function openedApp(address = '') {
+  const app = new App();
+  app.open(engine, [address], { isStill: false });
+  return app;
+}
+
+/** @param {App} app */
+export function sessionOf(app) {
+  if (!app.session) throw new Error('no session');
+  return app.session;
+}

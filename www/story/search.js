@@ -1,0 +1,72 @@
+/**
+ * What is found for what is typed: by words, by a figure's number, by values (`v 50 c 100`, `freeplay 1 deg`), in both
+ * languages whatever the page speaks.
+ *
+ * @typedef {import('../words/voice.js').Voice} Voice
+ * @typedef {import('./story.js').Story} Story
+ * @typedef {{ story: Story, words: string[], number: string, settings: Record<string, number>[] }} Indexed
+ *   `number`: of a figure or table, '' for others; `settings`: the values of each step, angles in degrees
+ */
+
+import { gistOf, lookOf, titleOf } from './title.js';
+
+const degrees = 180 / Math.PI;
+
+/** What a number behind a word or symbol is. */
+const names = new Map(Object.entries({
+  velocity: ['v', 'velocity', 'speed', 'hiz'],
+  dampingConstant: ['c', 'damping', 'sonum'],
+  casterLength: ['e', 'caster', 'kaster'],
+  torsionalStiffness: ['k', 'stiffness', 'rijitlik'],
+  freeplayAngle: ['freeplay', 'gap', 'bosluk'],
+  torsionAngle: ['psi', 'ψ', 'psi(0)', 'ψ(0)'],
+}).flatMap(([name, words]) => words.map((word) => /** @type {[string, string]} */ ([word, name]))));
+
+/** Units say nothing of their own. */
+const units = /(?<=\d\s*)(m\/s|n m s\/rad|n m\/rad|deg(rees)?\b|derece\b|°|rad\b)/g;
+const token = /[abc]\.\d+|\d+(?:\.\d+)?[a-d]?|[\p{L}(][\p{L}\d()]*/gu;
+
+/** @param {readonly Story[]} stories @param {readonly Voice[]} voices @returns {Indexed[]} */
+export function indexOf(stories, voices) {
+  return stories.map((story) => {
+    const { entry, steps } = story;
+    const text = voices.flatMap((voice) => [titleOf(story, voice), gistOf(story, voice), entry ? lookOf(entry, voice) : '']).join(' ');
+    return { story, words: plain(text).match(token) ?? [], number: entry?.id.split(' ')[1].toLowerCase() ?? '', settings: steps.map(valuesOf) };
+  });
+}
+
+/**
+ * Those that answer what was typed, in their order; all for nothing typed. A value is taken exactly where it occurs, else
+ * by its beginning, as it is while one types.
+ * @param {readonly Indexed[]} index
+ * @param {string} query
+ */
+export function search(index, query) {
+  const tokens = plain(query).match(token) ?? [];
+  const exactly = index.filter((one) => answers(one, tokens, (value, text) => value === Number(text)));
+  return exactly.length > 0 ? exactly : index.filter((one) => answers(one, tokens, (value, text) => String(value).startsWith(text)));
+}
+
+/** @param {Indexed} indexed @param {readonly string[]} tokens @param {(value: number, text: string) => boolean} isValue */
+function answers({ words, number, settings }, tokens, isValue) {
+  return tokens.every((text, i) => {
+    const isNumber = /^\d/.test(text);
+    const named = isNumber ? names.get(tokens[i - 1]) : undefined;
+    if (named) return settings.some((values) => named in values && isValue(values[named], text));
+    if (isNumber) return number.startsWith(text) || settings.some((values) => Object.values(values).some((value) => isValue(value, text)));
+    if (names.has(text) && /^\d/.test(tokens[i + 1] ?? '')) return true;
+    return number === text || words.some((word) => word.startsWith(text));
+  });
+}
+
+/** Values of a step as people write them. @param {Story['steps'][number]} step @returns {Record<string, number>} */
+function valuesOf({ state: { parameters, initial } }) {
+  const { freeplayAngle, ...others } = parameters;
+  return { ...others, ...initial, freeplayAngle: Number(((freeplayAngle ?? 0) * degrees).toPrecision(12)) };
+}
+
+/** Small letters without marks, decimal points for commas, no units. @param {string} text */
+function plain(text) {
+  const bare = text.toLowerCase().normalize('NFD').replaceAll(/\p{M}/gu, '').replaceAll('ı', 'i').replaceAll(/\s/g, ' ');
+  return bare.replaceAll(/(?<=\d),(?=\d)/g, '.').replaceAll(units, ' ');
+}
