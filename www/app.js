@@ -6,6 +6,7 @@
 import { Quantity } from './controls/quantity.js';
 import { clockCommands, handsOff } from './commands/clock.js';
 import { experimentCommands } from './commands/experiment.js';
+import { storyCommands } from './commands/story.js';
 import { viewCommands } from './commands/view.js';
 import { recall } from './keep.js';
 import { lenses } from './lens/lenses.js';
@@ -19,15 +20,21 @@ import { linksThatHold } from './run/links.js';
 import { slowRateFor } from './run/rate.js';
 import { Session } from './run/session.js';
 import { Store } from './store.js';
+import { figuresOf } from './story/atlas.js';
+import { leave, told } from './story/player.js';
+import { presets } from './story/presets.js';
 import { languages, voiceOf } from './words/voice.js';
 
 /**
  * @typedef {import('./engine/engine.js').Engine} Engine
  * @typedef {import('./engine/engine.js').Model} Model
- * @typedef {import('./notice.js').Note} Note
+ * @typedef {import('./story/strip.js').Note} Note
  * @typedef {import('./store.js').State} State
  * @typedef {(value?: any) => void} Command
  */
+
+/** @type {readonly string[]} */
+const none = [];
 
 export class App {
   /** @type {Engine | null} */ engine = null;
@@ -38,13 +45,19 @@ export class App {
   /** Why there is no engine. */ failure = '';
   isDrawerOpen = false;
   /** Whether less motion is asked for: then time goes slowly or not at all. */ isStill = false;
+  /** All stories, in order; those of the engine's atlas once it is there. @type {readonly import('./story/story.js').Story[]} */
+  stories = presets;
+  /** What a visitor had before a story was opened, to come back to. @type {import('./story/player.js').Left | null} */
+  left = null;
+  /** The state as the step of the story put it. @type {State | null} */
+  asTold = null;
   /** Counts the changes that a hand has ended: each is a reason to speak. */ occasion = 0;
   /** Whether the outlook is to be looked at anew though no time has gone by. */ isLookDue = true;
   /** Called after each change of what elements show. */ onChange = () => {};
   /** @type {Map<string, Quantity[]>} */ #quantities = new Map();
 
   /** All commands by name. @type {Readonly<Record<string, Command>>} */
-  commands = { ...clockCommands(this), ...experimentCommands(this), ...viewCommands(this) };
+  commands = { ...clockCommands(this), ...experimentCommands(this), ...storyCommands(this), ...viewCommands(this) };
 
   constructor() {
     this.store.subscribe((state, before) => {
@@ -74,15 +87,27 @@ export class App {
 
   /** The parameters of the object as the page shows them. */
   get quantities() {
-    const { object } = this.state;
-    const table = this.#quantities.has(object) ? null : this.table;
-    if (table) this.#quantities.set(object, table.parameters.map((parameter) => new Quantity(parameter)));
-    return this.#quantities.get(object) ?? [];
+    return this.#quantitiesOf(this.state.object);
   }
 
   /** What "reset" brings back, in SI. @returns {Record<string, number>} */
   get usual() {
-    return Object.fromEntries(this.quantities.map(({ name, parameter }) => [name, openingParameters[name] ?? parameter.default]));
+    return this.usualOf(this.state.object);
+  }
+
+  /** The knobs that the story is about, the most telling first; none where it leaves the choice to the dock. */
+  get knobs() {
+    return told(this)?.step.state.knobs ?? none;
+  }
+
+  /** How much of the run the timeline shows at least, in s; undefined where nobody asks for a time. */
+  get duration() {
+    return told(this)?.step.state.duration;
+  }
+
+  /** @param {string} object @returns {Record<string, number>} */
+  usualOf(object) {
+    return Object.fromEntries(this.#quantitiesOf(object).map(({ name, parameter }) => [name, openingParameters[name] ?? parameter.default]));
   }
 
   /**
@@ -108,6 +133,7 @@ export class App {
   open(engine, addresses, { isStill }) {
     this.engine = engine;
     this.isStill = isStill;
+    this.stories = [...presets, ...figuresOf(engine.atlas())];
     if (!addresses.some((address) => this.openLink(address))) {
       this.store.follow({ parameters: this.usual, run: openingRun });
       this.store.follow({ links: linksThatHold(engine, openingObject, this.usual) });
@@ -132,11 +158,17 @@ export class App {
     // A damaged link without a start would open on a wheel at rest, and say nothing of why.
     const isBare = read.problems.length > 0 && Object.keys(read.state.run.initial).length === 0;
     const run = isBare ? openingRun : read.state.run;
-    const { object, parameters, links } = read.state;
+    const { object, parameters, links, story } = read.state;
+    if (story && !this.stories.some(({ name, isReady }) => name === story.name && isReady)) {
+      read.state.story = null;
+      read.problems.push({ key: 'story', value: story.name, reason: 'unknown-story' });
+    }
     const holding = linksThatHold(engine, object, parameters);
     const change = { ...read.state, run, links: Object.fromEntries(Object.keys(holding).map((name) => [name, holding[name] && links[name] !== false])) };
-    if (session) this.store.update(change);
-    else this.store.follow(change);
+    if (session) {
+      leave(this);
+      this.store.open(change);
+    } else this.store.follow(change);
     const note = noteOn(read.problems, this.voice);
     if (note && isBare) note.text += ` ${this.voice.say('link.start')}`;
     this.notes = note ? [note] : [];
@@ -175,6 +207,13 @@ export class App {
     this.session?.settle();
     this.occasion++;
     this.isLookDue = true;
+  }
+
+  /** @param {string} object */
+  #quantitiesOf(object) {
+    const table = this.#quantities.has(object) ? null : this.engine?.models().find(({ name }) => name === object);
+    if (table) this.#quantities.set(object, table.parameters.map((parameter) => new Quantity(parameter)));
+    return this.#quantities.get(object) ?? [];
   }
 
   /** @param {import('./engine/engine.js').Run} run */

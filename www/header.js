@@ -1,6 +1,8 @@
 import { LitElement, html } from 'lit';
 import { tell } from './command.js';
 import { otherKeys, shortcuts } from './keys.js';
+import { objectChooser } from './object/chooser.js';
+import './story/search-field.js';
 
 /**
  * @typedef {import('./words/voice.js').Voice} Voice
@@ -13,13 +15,16 @@ const keys = [...new Set([...shortcuts.map(({ word }) => word), ...otherKeys])];
 const languages = /** @type {const} */ ([['en', 'English'], ['tr', 'Türkçe']]);
 
 /**
- * The page's head: which object, undo and redo, the link, and a menu with language, appearance and keys.
- * Commands: `undo`, `redo`, `share`, `resetAll`, `language` and `theme` with the choice.
+ * The page's head: which object, the search, undo and redo, the link, and a menu with language, appearance and keys.
+ * Commands: `object`, `open`, `comeBack`, `undo`, `redo`, `share`, `resetAll`, `language` and `theme` with the choice.
  */
 export class Header extends LitElement {
   static properties = {
     voice: { attribute: false },
     theme: { attribute: false },
+    object: { attribute: false },
+    stories: { attribute: false },
+    canComeBack: { attribute: false },
     canUndo: { attribute: false },
     canRedo: { attribute: false },
     isReady: { attribute: false },
@@ -30,6 +35,9 @@ export class Header extends LitElement {
     super();
     /** @type {Voice | null} */ this.voice = null;
     /** @type {'system' | 'light' | 'dark'} */ this.theme = 'system';
+    this.object = '';
+    /** @type {readonly import('./story/story.js').Story[]} */ this.stories = [];
+    /** Whether what a visitor had before a story is kept. */ this.canComeBack = false;
     this.canUndo = false;
     this.canRedo = false;
     this.isReady = false;
@@ -66,7 +74,8 @@ export class Header extends LitElement {
         @click=${() => tell(this, what)}>${sign}</button>`;
     return html`
       <span class="brand">Shimmy</span>
-      <span class="object">${voice.say('header.object')}</span>
+      ${objectChooser(this.object, voice, this)}
+      <shimmy-search .voice=${voice} .stories=${this.stories}></shimmy-search>
       <span class="spacer"></span>
       ${button('header.undo', '↶', this.canUndo, 'undo')}
       ${button('header.redo', '↷', this.canRedo, 'redo')}
@@ -76,7 +85,9 @@ export class Header extends LitElement {
       <details class="menu" @keydown=${this.#key}>
         <summary class="plain icon" title=${voice.say('header.menu')} aria-label=${voice.say('header.menu')}>⋯</summary>
         <div class="menu-sheet">
+          ${this.canComeBack ? html`<button type="button" class="framed" @click=${() => tell(this, 'comeBack')}>${voice.say('story.comeBack')}</button>` : ''}
           <div class="menu-actions">
+            ${objectChooser(this.object, voice, this)}
             <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'share')}>${voice.say(this.isShared ? 'header.shared' : 'header.share')}</button>
             <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'resetAll')}>↺ ${voice.say('dock.reset')}</button>
           </div>

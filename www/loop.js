@@ -83,7 +83,7 @@ export class Loop {
     // A wheel in a hand stands still, however fast time goes.
     const isBlurred = clock.isPlaying && !session.isHeld && clock.isTooFast(session.frequency);
     const exposure = isBlurred ? clock.exposure : 0;
-    const scene = session.scene({ ...stage.wanted, exposure });
+    const scene = session.scene({ ...stage.wanted, exposure, duration: this.#app.duration });
     if (this.#wildValues(scene.parameters).length === 0) this.#soundScene = scene;
     this.#draw(scene, stage, theme);
   }
@@ -117,7 +117,7 @@ export class Loop {
     app.isLookDue = false;
     app.lockStrobe();
     const { seen, energy, time, frequency, ghosts } = session;
-    for (const element of this.#host.querySelectorAll('shimmy-stage, shimmy-notice, shimmy-why, #lens-panel'))
+    for (const element of this.#host.querySelectorAll('shimmy-stage, shimmy-strip, shimmy-why, #lens-panel'))
       Object.assign(element, { outlook: seen, energy, time, frequency, occasion: app.occasion, ghosts: ghosts.all });
   }
 

@@ -1,17 +1,18 @@
 import { LitElement, html } from 'lit';
 import './header.js';
-import './notice.js';
 import './controls/dock.js';
 import './controls/drawer.js';
 import './lens/tabs.js';
 import './lens/why.js';
 import './stage/stage.js';
+import './story/strip.js';
 import { App } from './app.js';
 import { loadEngine } from './engine/engine.js';
 import { keep, recall } from './keep.js';
 import { shortcutOf } from './keys.js';
 import { lensElement } from './lens/elements.js';
 import { Loop } from './loop.js';
+import { Teller } from './story/telling.js';
 
 const stillness = matchMedia('(prefers-reduced-motion: reduce)');
 
@@ -24,6 +25,7 @@ export class Page extends LitElement {
 
   #app = new App();
   #loop = new Loop(this.#app, this);
+  #teller = new Teller();
   #linkTimer = 0;
   /** What language and appearance the document has. */ #dressed = '';
 
@@ -55,18 +57,20 @@ export class Page extends LitElement {
   render() {
     const app = this.#app;
     const { voice, session, clock, store, quantities } = app;
-    const { parameters, links, lens, views, theme, clock: rate } = app.state;
+    const { object, parameters, links, lens, views, theme, clock: rate } = app.state;
     const change = this.#change;
     const { isVeiled } = app;
     return html`
-      <shimmy-header role="banner" .voice=${voice} .theme=${theme} .canUndo=${store.canUndo} .canRedo=${store.canRedo}
+      <shimmy-header role="banner" .voice=${voice} .theme=${theme} .object=${object} .stories=${app.stories} .canComeBack=${app.left !== null}
+        .canUndo=${store.canUndo} .canRedo=${store.canRedo}
         .isReady=${session !== null} .isShared=${this.isShared}></shimmy-header>
       <main>
         <shimmy-stage .voice=${voice} .isReady=${session !== null} .isPlaying=${clock.isPlaying} .isStill=${app.isStill}
           .isHeld=${session?.isHeld ?? false} .mode=${clock.mode} .slow=${clock.slow} .isChosen=${rate.slow !== null} .step=${clock.step}
           .quantities=${quantities} .ghostCount=${app.state.ghosts.length} .views=${views} .failure=${app.failure} .isVeiled=${isVeiled}></shimmy-stage>
         <section class="lens" aria-label=${voice.say('lens.name')}>
-          <shimmy-notice .voice=${voice} .notes=${app.notes}></shimmy-notice>
+          <shimmy-strip .voice=${voice} .notes=${app.notes} .telling=${this.#teller.tell(app)} .canComeBack=${app.left !== null}
+            .isVeiled=${isVeiled}></shimmy-strip>
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}></shimmy-lens-tabs>
           ${lensElement(lens, { voice, shows: views[lens] ?? '', isVeiled, quantities })}
           ${lens === 'compare' ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
@@ -74,7 +78,7 @@ export class Page extends LitElement {
             .quantities=${quantities} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
             .isVeiled=${isVeiled}></shimmy-drawer>` : ''}
         </section>
-        <shimmy-dock role="region" aria-label=${voice.say('dock.name')} .voice=${voice} .quantities=${quantities} .values=${parameters}
+        <shimmy-dock role="region" aria-label=${voice.say('dock.name')} .voice=${voice} .knobs=${app.knobs} .quantities=${quantities} .values=${parameters}
           .links=${links} .usual=${app.usual} .change=${change} .isOpen=${app.isDrawerOpen} .isVeiled=${isVeiled}></shimmy-dock>
       </main>`;
   }
@@ -150,6 +154,11 @@ export class Page extends LitElement {
     if (event.key === '?') {
       event.preventDefault();
       /** @type {import('./header.js').Header | null} */ (this.querySelector('shimmy-header'))?.toggleMenu();
+      return;
+    }
+    if (event.key === '/') {
+      event.preventDefault();
+      /** @type {import('./story/search-field.js').SearchField | null} */ (this.querySelector('shimmy-search'))?.open();
       return;
     }
     const shortcut = shortcutOf(event);

@@ -23,7 +23,7 @@ export function experimentCommands(app) {
       if (!app.engine) return;
       store.follow({ object: openingObject });
       const links = linksThatHold(app.engine, openingObject, app.usual);
-      store.update({ parameters: app.usual, links, run: { ...openingRun }, clock: { mode: 'slow', slow: null } });
+      store.update({ parameters: app.usual, links, run: { ...openingRun }, clock: { mode: 'slow', slow: null }, story: null });
     },
     /** @param {string} name of a value that follows others */
     toggleLink: (name) => app.session?.toggleLink(name),

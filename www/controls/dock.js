@@ -9,8 +9,9 @@ import { symbolOf } from './symbol.js';
  * @typedef {import('../words/voice.js').Voice} Voice
  */
 
-/** The knobs that are always at hand, the most telling first. */
-export const knobs = ['velocity', 'dampingConstant', 'casterLength', 'freeplayAngle'];
+/** The knobs that are at hand where no story chooses others, the most telling first. An object that lacks one has the next. */
+export const usualKnobs = ['velocity', 'dampingConstant', 'casterLength', 'freeplayAngle', 'torsionalStiffness'];
+const mostKnobs = 4;
 
 /**
  * The knobs under the stage. On a phone one large slider, and chips that choose which value it sets.
@@ -18,6 +19,7 @@ export const knobs = ['velocity', 'dampingConstant', 'casterLength', 'freeplayAn
  */
 export class Dock extends LitElement {
   static properties = {
+    knobs: { attribute: false },
     quantities: { attribute: false },
     values: { attribute: false },
     links: { attribute: false },
@@ -30,6 +32,7 @@ export class Dock extends LitElement {
 
   constructor() {
     super();
+    /** The knobs that a story is about, before the usual ones. @type {readonly string[]} */ this.knobs = [];
     /** @type {Quantity[]} */ this.quantities = [];
     /** @type {Readonly<Record<string, number>>} */ this.values = {};
     /** Which values follow others. @type {Readonly<Record<string, boolean>>} */ this.links = {};
@@ -40,22 +43,29 @@ export class Dock extends LitElement {
     /** Whether the drawer with all values is open. */
     this.isOpen = false;
     /** @type {import('./knob.js').Change} */ this.change = () => null;
-    this.chosen = 'dampingConstant';
+    /** The one that a phone shows; null for the story's choice. @type {string | null} */ this.chosen = null;
   }
 
   createRenderRoot() {
     return this;
   }
 
+  /** @param {Map<string, unknown>} changed */
+  willUpdate(changed) {
+    if (changed.has('knobs')) this.chosen = null;
+  }
+
   render() {
     const { voice, quantities, values, usual } = this;
     if (!voice) return html``;
-    const shown = knobs.flatMap((name) => quantities.filter((quantity) => quantity.name === name));
+    const names = [...new Set([...this.knobs, ...usualKnobs])];
+    const shown = names.flatMap((name) => quantities.filter((quantity) => quantity.name === name)).slice(0, mostKnobs);
+    const chosen = this.chosen ?? this.knobs[0] ?? 'dampingConstant';
     const count = quantities.length;
     return html`
       <div class="chips" role="group" aria-label=${voice.say('dock.choose')}>
         ${shown.map((quantity) => html`
-          <button type="button" aria-pressed=${this.chosen === quantity.name ? 'true' : 'false'}
+          <button type="button" aria-pressed=${chosen === quantity.name ? 'true' : 'false'}
             @click=${() => { this.chosen = quantity.name; }}>
             <span class="only-heard">${nameOf(quantity, voice)}</span> ${symbolOf(quantity.parameter.symbol)} ${short(values[quantity.name], quantity, voice)}
           </button>`)}
@@ -64,7 +74,7 @@ export class Dock extends LitElement {
         </button>
       </div>
       ${shown.map((quantity) => html`
-        <shimmy-knob data-place="dock" data-name=${quantity.name} ?data-chosen=${this.chosen === quantity.name}
+        <shimmy-knob data-place="dock" data-name=${quantity.name} ?data-chosen=${chosen === quantity.name}
           .quantity=${quantity} .value=${values[quantity.name]} .usual=${usual[quantity.name]} .voice=${voice}
           .change=${this.change}></shimmy-knob>`)}
       <div class="dock-more">

@@ -7,7 +7,7 @@
  * What of a link could not be read, in words; null where all could.
  * @param {Problem[]} problems
  * @param {Voice} voice
- * @returns {import('../notice.js').Note | null}
+ * @returns {import('../story/strip.js').Note | null}
  */
 export function noteOn(problems, voice) {
   if (problems.length === 0) return null;

@@ -5,7 +5,7 @@
  * @typedef {import('../store.js').State} State
  * @typedef {import('../run/live-run.js').Change} Change
  * @typedef {import('./write.js').Table} Table
- * @typedef {{ key: string, value: string, reason: 'unknown' | 'not-a-number' | 'too-large' | 'refused' | 'newer' | 'version' | 'missing' | 'twice' | 'unclear', instead?: number }} Problem
+ * @typedef {{ key: string, value: string, reason: 'unknown' | 'not-a-number' | 'too-large' | 'refused' | 'newer' | 'version' | 'missing' | 'twice' | 'unclear' | 'unknown-story', instead?: number }} Problem
  * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story'>} Linked
  * @typedef {(run: { model: string, parameters: Record<string, number>, initial: Record<string, number> }) => boolean} Accepts
  *   whether the engine takes these values

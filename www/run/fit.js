@@ -52,10 +52,11 @@ export function stillFits(limits, swing) {
  * @param {Envelope} ahead what comes, times from the start of the run
  * @param {number} now in s
  * @param {ArrayLike<number>} range what the run remembers, in s
+ * @param {number} [least] how long it is at least, in s
  */
-export function spanFor(ahead, now, range) {
+export function spanFor(ahead, now, range, least = 0.2) {
   const from = range[0];
-  return { from, to: from + roundLimit(Math.max(settlingTime(ahead) - from, 1.1 * (now - from), 0.2)) };
+  return { from, to: from + roundLimit(Math.max(settlingTime(ahead) - from, 1.1 * (now - from), least)) };
 }
 
 /**

@@ -7,10 +7,10 @@
  * @typedef {import('../engine/engine.js').Energy} Energy
  * @typedef {import('./live-run.js').LiveRun} LiveRun
  * @typedef {ReturnType<typeof sceneOf>} Scene
- * @typedef {{ moment: [number, number], trackLength: number, stretches: number, exposure: number }} Wanted
+ * @typedef {{ moment: [number, number], trackLength: number, stretches: number, exposure: number, duration?: number }} Wanted
  *   `moment`: the window around now, in s; `trackLength`: how much of the ground behind is still seen, in m;
  *   `stretches`: how finely the whole run is shown; `exposure`: the model time of one frame where that is too fast for
- *   a single pose, 0 where it is not, in s
+ *   a single pose, 0 where it is not, in s; `duration`: how much of the run is shown at least, in s
  */
 
 import { roundStep } from '../view/scale.js';
@@ -33,7 +33,7 @@ const poses = 16;
  * @param {Wanted} wanted
  */
 export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, scales, frequency, ghosts, energy, lookedAt, stepsAhead }, wanted) {
-  const { moment, trackLength, stretches, exposure } = wanted;
+  const { moment, trackLength, stretches, exposure, duration } = wanted;
   const { time, parameters, object, state } = live;
   const [earliest] = live.range;
   const beat = 1 / (frequency ?? 50);
@@ -47,7 +47,7 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
     return { ...track, distance: track.time.map((at) => odometer.distanceAt(at + shift)) };
   };
   const ahead = { ...outlook.envelope, time: outlook.envelope.time.map((at) => at + lookedAt) };
-  const span = spanFor(ahead, time, live.range);
+  const span = spanFor(ahead, time, live.range, duration);
   const stretch = Math.max((span.to - span.from) / stretches, roundStep(beat));
   const model = { model: object, parameters };
   return {
