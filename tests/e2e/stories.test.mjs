@@ -61,6 +61,7 @@ test('a figure is found by its number and opened by Enter, in English and in Tur
   assert.equal(await field.getAttribute('aria-activedescendant'), 'story-figure-5.88a');
   await page.keyboard.press('Enter');
   await untilPlace(page, 'Figure 5.88a · orbit in space');
+  await page.locator('.turntable').waitFor();
   assert.match(await page.locator('shimmy-strip').innerText(), /Limit cycle, v.=.30.m\/s, c.=.10.N.m.s\/rad, ψ\(0\).=.0\.01/);
   assert.equal(await knob(page, 'velocity').number.inputValue(), '30.0');
   assert.equal(await knob(page, 'dampingConstant').number.inputValue(), '10.0');

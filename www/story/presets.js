@@ -14,7 +14,7 @@ const wide = { torsionAngle: 0.45 };
 
 const portrait = { lens: 'phase', views: { phase: 'portrait' } };
 const orbit = { lens: 'phase', views: { phase: 'orbit' } };
-const forces = { lens: 'forces' };
+const sideForce = { lens: 'forces', views: { forces: 'sideForce' } };
 const strobe = /** @type {const} */ ({ clock: { mode: 'strobe', slow: null } });
 
 /**
@@ -40,7 +40,7 @@ const stories = {
   'first-look': [
     { state: opening },
     { state: opening, goesOn: true },
-    { state: { ...opening, ...forces }, goesOn: true },
+    { state: { ...opening, ...sideForce }, goesOn: true },
     { state: opening, goesOn: true, asks: { dampingConstant: 60 } },
     { state: rolling(80, 60), goesOn: true },
   ],
@@ -103,7 +103,7 @@ const stories = {
   ],
   linear: [
     { state: { ...opening, object: 'torsional-linear' } },
-    { state: { ...opening, ...forces } },
+    { state: { ...opening, ...sideForce } },
     { state: { ...rolling(80, 60), object: 'torsional-linear' } },
   ],
 };
