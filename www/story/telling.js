@@ -28,6 +28,7 @@ export class Teller {
     return {
       place: placeOf(story, at, voice),
       sentence: this.#sentence,
+      isFigure: story.kind === 'figure',
       isAsking: step.asks !== undefined && !state.predict && !isAnswered(app),
       following: neighborPlace(app, 1),
       preceding: neighborPlace(app, -1),
