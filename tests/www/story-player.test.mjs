@@ -51,7 +51,7 @@ test('back to what you had is back to the instant, with the look of it', () => {
   const app = openedApp();
   tinker(app);
   app.run('pause');
-  sessionOf(app).magnify(5);
+  app.run('view', { of: 'magnification', shows: '5' });
   const before = seen(app);
   for (const command of ['cure', 'linear']) app.run('open', command);
   app.run('next');
