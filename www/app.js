@@ -4,7 +4,9 @@
  */
 
 import { Quantity } from './controls/quantity.js';
+import { isVelocityUnit } from './controls/unit.js';
 import { clockCommands, handsOff } from './commands/clock.js';
+import { controlCommands } from './commands/controls.js';
 import { experimentCommands } from './commands/experiment.js';
 import { storyCommands } from './commands/story.js';
 import { viewCommands } from './commands/view.js';
@@ -57,7 +59,9 @@ export class App {
   /** @type {Map<string, Quantity[]>} */ #quantities = new Map();
 
   /** All commands by name. @type {Readonly<Record<string, Command>>} */
-  commands = { ...clockCommands(this), ...experimentCommands(this), ...storyCommands(this), ...viewCommands(this) };
+  commands = {
+    ...clockCommands(this), ...controlCommands(this), ...experimentCommands(this), ...storyCommands(this), ...viewCommands(this),
+  };
 
   constructor() {
     this.store.subscribe((state, before) => {
@@ -211,9 +215,11 @@ export class App {
 
   /** @param {string} object */
   #quantitiesOf(object) {
-    const table = this.#quantities.has(object) ? null : this.engine?.models().find(({ name }) => name === object);
-    if (table) this.#quantities.set(object, table.parameters.map((parameter) => new Quantity(parameter)));
-    return this.#quantities.get(object) ?? [];
+    const { velocityUnit } = this.state;
+    const key = `${object} ${velocityUnit}`;
+    const table = this.#quantities.has(key) ? null : this.engine?.models().find(({ name }) => name === object);
+    if (table) this.#quantities.set(key, table.parameters.map((parameter) => new Quantity(parameter, velocityUnit)));
+    return this.#quantities.get(key) ?? [];
   }
 
   /** @param {import('./engine/engine.js').Run} run */
@@ -244,6 +250,7 @@ function firstState() {
     story: null,
     predict: null,
     isBig: false,
+    velocityUnit: isVelocityUnit(kept.velocityUnit) ? kept.velocityUnit : 'm/s',
     language: Object.hasOwn(languages, language) ? /** @type {State['language']} */ (language) : 'en',
     theme: theme === 'light' || theme === 'dark' ? theme : 'system',
   };

@@ -1,8 +1,8 @@
-/** What this browser remembers between visits: the experiment as its link, the language and the theme. */
+/** What this browser remembers between visits: the experiment as its link, the language, the theme, the speed's unit. */
 
 const place = 'shimmy';
 
-/** @typedef {{ link: string, language: string, theme: string }} Kept */
+/** @typedef {{ link: string, language: string, theme: string, velocityUnit: string }} Kept */
 
 /** @param {Kept} kept */
 export function keep(kept) {

@@ -126,7 +126,7 @@ export class Page extends LitElement {
     const { link, state } = this.#app;
     if (!link) return;
     if (link !== location.hash) history.replaceState(null, '', link);
-    keep({ link, language: state.language, theme: state.theme });
+    keep({ link, language: state.language, theme: state.theme, velocityUnit: state.velocityUnit });
   }
 
   async #share() {

@@ -19,6 +19,7 @@
  *   story: { name: string, step: number } | null,
  *   predict: { guess: Guess | null, isRevealed: boolean } | null,
  *   isBig: boolean,
+ *   velocityUnit: import('./controls/unit.js').VelocityUnit,
  *   language: import('./words/number.js').Language,
  *   theme: 'system' | 'light' | 'dark',
  * }} State `run`: how it begins, and what was done to it up to `time`; `start`: values that were others then.

@@ -49,6 +49,14 @@ test('what a link carries comes back, to the last bit', () => {
   assert.deepEqual(read?.state.ghosts, [{ ...looked.ghosts[0], parameters: { ...looked.ghosts[0].parameters, relaxationLength: 0.3 } }]);
 });
 
+test('the unit of the speed is carried where it is not the usual one; a link without it leaves it to its reader', () => {
+  const text = writeLink({ ...linked, velocityUnit: 'km/h' }, fresh, models);
+  assert.match(text, /&view\.velocityUnit=km\/h$/);
+  assert.equal(readLink(text, models, accepts)?.state.velocityUnit, 'km/h');
+  assert.ok(!('velocityUnit' in (readLink(writeLink({ ...linked, velocityUnit: 'm/s' }, fresh, models), models, accepts)?.state ?? {})));
+  assert.deepEqual(readLink('#shimmy=2&view.velocityUnit=furlong', models, accepts)?.problems, [{ key: 'view.velocityUnit', value: 'furlong', reason: 'unknown' }]);
+});
+
 test('what was done to the run comes back with its times', () => {
   const changes = [{ time: 0.35, set: { dampingConstant: 20 } }, { time: 0.4, kick: 10 }, { time: 0.5, state: { torsionAngle: 0.2, torsionRate: 0 } }];
   const recipe = { parameters: { ...linked.parameters, dampingConstant: 5 }, changes, time: 0.75 };

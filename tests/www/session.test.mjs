@@ -19,7 +19,7 @@ const defaults = Object.fromEntries(table.parameters.map(({ name, default: usual
 function opened() {
   const store = new Store({
     object: openingObject, parameters: { ...defaults, ...openingParameters }, run: openingRun, links: {}, ghosts: [],
-    clock: { mode: 'slow', slow: null }, lens: 'phase', views: {}, story: null, predict: null, isBig: false, language: 'en', theme: 'system',
+    clock: { mode: 'slow', slow: null }, lens: 'phase', views: {}, story: null, predict: null, isBig: false, velocityUnit: 'm/s', language: 'en', theme: 'system',
   });
   return { store, session: new Session(engine, store) };
 }

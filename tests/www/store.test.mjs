@@ -15,6 +15,7 @@ const opening = () => ({
   story: null,
   predict: null,
   isBig: false,
+  velocityUnit: 'm/s',
   language: 'en',
   theme: 'system',
 });

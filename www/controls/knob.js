@@ -4,6 +4,7 @@ import { parseNumber } from '../words/number.js';
 import { nameOf } from './quantity.js';
 import { explain } from './refusal.js';
 import { symbolOf } from './symbol.js';
+import { isVelocityUnit, nextVelocityUnit } from './unit.js';
 
 /**
  * @typedef {import('./quantity.js').Quantity} Quantity
@@ -48,8 +49,9 @@ export class Knob extends LitElement {
 
   /** @param {Map<string, unknown>} changed */
   willUpdate(changed) {
-    // A value that came from elsewhere (undo, a moved time, the slider) ends the complaint about one that did not.
-    if (changed.has('value') && changed.get('value') !== undefined) this.refusal = null;
+    // A value that came from elsewhere (undo, a moved time, the slider) ends the complaint about one that did not; so does
+    // another unit.
+    if (['value', 'quantity'].some((name) => changed.has(name) && changed.get(name) !== undefined)) this.refusal = null;
   }
 
   render() {
@@ -68,7 +70,7 @@ export class Knob extends LitElement {
           aria-label=${voice.say('knob.number', { name })} aria-invalid=${this.refusal ? 'true' : 'false'}
           aria-describedby="${id}-refusal" .value=${quantity.number(this.value, voice)}
           @change=${this.#typed} @keydown=${this.#numberKey} @focus=${selectAll} />
-        <span class="unit">${quantity.unit}</span>
+        ${this.#unit(quantity, name, voice)}
         <button type="button" class="reset" title=${reset} aria-label=${reset} ?disabled=${this.value === this.usual}
           @click=${() => this.#set(this.usual)}>↺</button>
       </div>
@@ -76,6 +78,14 @@ export class Knob extends LitElement {
         aria-valuetext=${quantity.write(this.value, voice)} .value=${String(quantity.placeOf(this.value) * places)}
         @input=${this.#dragged} @change=${this.#settle} @keydown=${this.#sliderKey} />
       <p id="${id}-refusal" class="refusal" role="alert">${sentence}</p>`;
+  }
+
+  /** The unit; that of a speed can be chosen. @param {Quantity} quantity @param {string} name @param {Voice} voice */
+  #unit({ unit }, name, voice) {
+    if (!isVelocityUnit(unit)) return html`<span class="unit">${unit}</span>`;
+    const next = nextVelocityUnit(unit);
+    const title = voice.say('knob.unit', { name, unit, next });
+    return html`<button type="button" class="unit" title=${title} aria-label=${title} @click=${() => tell(this, 'velocityUnit', next)}>${unit}</button>`;
   }
 
   /** @param {Event} event */

@@ -1,5 +1,5 @@
 /**
- * A parameter as the page shows it. Angles are degrees here and radians everywhere behind; nothing else is converted.
+ * A parameter as the page shows it, in the unit that people think in; behind the page it is SI.
  *
  * @typedef {import('../pkg/shimmy.js').Parameter} Parameter
  * @typedef {import('../words/voice.js').Voice} Voice
@@ -7,26 +7,29 @@
 
 import { decimalsOf } from '../words/number.js';
 import { isWord } from '../words/voice.js';
-
-const degree = Math.PI / 180;
+import { shownUnit } from './unit.js';
 
 export class Quantity {
-  #factor;
+  #unit;
 
-  /** @param {Parameter} parameter */
-  constructor(parameter) {
+  /**
+   * @param {Parameter} parameter
+   * @param {import('./unit.js').VelocityUnit} [velocityUnit]
+   */
+  constructor(parameter, velocityUnit = 'm/s') {
     this.parameter = parameter;
-    const isAngle = parameter.unit === 'rad';
-    this.#factor = isAngle ? degree : 1;
-    this.unit = isAngle ? '°' : parameter.unit === '1' ? '' : parameter.unit;
+    this.#unit = shownUnit(parameter.unit, velocityUnit);
+    this.unit = this.#unit.name;
     this.isLogarithmic = parameter.scale === 'log';
     this.min = this.toShown(parameter.min);
     this.max = this.toShown(parameter.max);
     const range = this.max - this.min;
-    /** Decimals a slider sets: about three hundred places on its way. */
-    this.decimals = Math.max(0, Math.ceil(-Math.log10(range / 300)));
+    /** The least a slider sets: about three hundred places on its way. A power of ten. */
+    this.grain = powerOfTen(Math.floor(Math.log10(range / 300)));
+    /** Decimals that show it. */
+    this.decimals = decimalsOf(this.grain, 0);
     /** What one press of an arrow key adds: about a hundredth of the way, a power of ten. */
-    this.step = 10 ** Math.floor(Math.log10(range / 100));
+    this.step = powerOfTen(Math.floor(Math.log10(range / 100)));
   }
 
   get name() {
@@ -35,12 +38,12 @@ export class Quantity {
 
   /** @param {number} value in SI, @returns {number} as shown, free of the rounding of the conversion */
   toShown(value) {
-    return this.#factor === 1 ? value : Number((value / this.#factor).toPrecision(12));
+    return this.#unit.size === 1 ? value : Number((value / this.#unit.size).toPrecision(12));
   }
 
   /** @param {number} shown */
   toSI(shown) {
-    return shown * this.#factor;
+    return shown * this.#unit.size;
   }
 
   /**
@@ -51,7 +54,8 @@ export class Quantity {
   number(value, voice) {
     const shown = this.toShown(value);
     if (shown !== 0 && (Math.abs(shown) >= 1e6 || Math.abs(shown) < 1e-6)) return voice.power(shown);
-    return voice.number(shown, decimalsOf(shown, this.isFar(value) ? 0 : this.decimals));
+    const isIdle = !this.#unit.isRound && Number(shown.toPrecision(6)) !== shown;
+    return voice.number(shown, isIdle ? this.decimals : decimalsOf(shown, this.isFar(value) ? 0 : this.decimals));
   }
 
   /**
@@ -97,6 +101,22 @@ export class Quantity {
   }
 
   /**
+   * A value rounded to what the slider sets, up or down. What is nearer than a hundredth of that to a round number is
+   * that number: 27.5996 is 27.6.
+   * @param {number} value in SI
+   * @param {'up' | 'down'} direction
+   * @returns {number} in SI
+   */
+  rounded(value, direction) {
+    const shown = this.toShown(value);
+    const grain = this.isLogarithmic ? powerOfTen(Math.floor(Math.log10(shown)) - 2) : this.grain;
+    const grains = shown / grain;
+    const nearest = Math.round(grains);
+    const whole = Math.abs(grains - nearest) < 0.01 ? nearest : direction === 'up' ? Math.ceil(grains) : Math.floor(grains);
+    return this.toSI(Number((whole * grain).toPrecision(12)));
+  }
+
+  /**
    * The value some arrow steps away, kept on the slider unless it was beyond already.
    * @param {number} value in SI
    * @param {number} steps may be a fraction
@@ -124,4 +144,9 @@ export function withUnit(number, unit) {
 export function nameOf({ name }, voice) {
   const key = `parameter.${name}`;
   return isWord(key) ? voice.say(key) : name;
+}
+
+/** Exactly as it is written, which 10 ** −4 is not. @param {number} exponent */
+function powerOfTen(exponent) {
+  return Number(`1e${exponent}`);
 }

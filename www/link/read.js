@@ -6,12 +6,14 @@
  * @typedef {import('../run/live-run.js').Change} Change
  * @typedef {import('./write.js').Table} Table
  * @typedef {{ key: string, value: string, reason: 'unknown' | 'not-a-number' | 'too-large' | 'refused' | 'newer' | 'version' | 'missing' | 'twice' | 'unclear' | 'unknown-story', instead?: number }} Problem
- * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story'>} Linked
+ * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story'> & { velocityUnit?: State['velocityUnit'] }} Linked
+ *   an address that names no unit leaves the speed in the reader's own
  * @typedef {(run: { model: string, parameters: Record<string, number>, initial: Record<string, number> }) => boolean} Accepts
  *   whether the engine takes these values
  * @typedef {{ state: Linked, run: { initial: Record<string, number>, start: Record<string, number>, changes: Change[], time: number }, table: Table, models: Table[], accepts: Accepts }} Reading
  */
 
+import { isVelocityUnit } from '../controls/unit.js';
 import { lenses } from '../lens/lenses.js';
 import { mostGhosts } from '../run/ghosts.js';
 import { slowRates } from '../run/rate.js';
@@ -123,6 +125,11 @@ const readers = {
     const ghost = ghostOf(value, reading);
     if (!ghost) return 'unclear';
     reading.state.ghosts = [...reading.state.ghosts, ghost];
+    return null;
+  },
+  'view.velocityUnit': ({ state }, value) => {
+    if (!isVelocityUnit(value)) return 'unknown';
+    state.velocityUnit = value;
     return null;
   },
   story: ({ state }, value) => {

@@ -13,7 +13,7 @@
  * | `time` | how far the run goes |
  * | `free` | values that do not follow others |
  * | `ghost` | a run kept beside: the time it was kept at, its model, values, and its state then |
- * | `clock`, `slow`, `lens`, `view.…`, `story` | how it is looked at |
+ * | `clock`, `slow`, `lens`, `view.…`, `story` | how it is looked at; `view.velocityUnit` where the speed is not shown in m/s |
  *
  * @typedef {import('../store.js').State} State
  * @typedef {import('../run/live-run.js').Recipe} Recipe
@@ -26,7 +26,7 @@ import { lenses } from '../lens/lenses.js';
 export const version = 2;
 
 /**
- * @param {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story'>} state
+ * @param {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story'> & { velocityUnit?: State['velocityUnit'] }} state
  * @param {Pick<Recipe, 'parameters' | 'changes' | 'time'>} recipe how the run came to where it is
  * @param {Table[]} models the first is the one that is not named
  */
@@ -43,6 +43,7 @@ export function writeLink(state, recipe, models) {
   if (state.clock.slow !== null) pairs.push(`slow=${state.clock.slow}`);
   if (state.lens !== lenses[0].name) pairs.push(`lens=${state.lens}`);
   pairs.push(...Object.entries(state.views).map(([of, shows]) => `view.${of}=${shows}`));
+  if (state.velocityUnit && state.velocityUnit !== 'm/s') pairs.push(`view.velocityUnit=${state.velocityUnit}`);
   if (state.story) pairs.push(`story=${state.story.name}${state.story.step ? `,${state.story.step}` : ''}`);
   return `#${pairs.join('&')}`;
 }

@@ -10,6 +10,7 @@ export const controls = {
   'knob.reset': '{name} back to {value}',
   'knob.far': 'Far beyond the slider’s {min} to {max}.',
   'knob.number': '{name}, exact number',
+  'knob.unit': '{name} is in {unit}: show it in {next}',
 
   'parameter.velocity': 'Speed',
   'parameter.casterLength': 'Caster',

@@ -10,6 +10,7 @@ export const controls = {
   'knob.reset': '{name} yeniden {value}',
   'knob.far': 'Sürgünün {min} – {max} aralığının çok dışında.',
   'knob.number': '{name}, tam sayısal değer',
+  'knob.unit': '{name} {unit} ile veriliyor: {next} olarak göster',
 
   'parameter.velocity': 'Hız',
   'parameter.casterLength': 'Kaster',
