@@ -27,6 +27,15 @@ export const controls = {
   'scent.said.below': '{state} below {value}',
   'scent.said.between': '{state} between {from} and {to}',
 
+  'equation.beyond': 'beyond',
+  'equation.within': 'within',
+  'equation.torsionAngle': 'torsion angle',
+  'equation.lateralDeformation': 'tire’s deformation',
+  'equation.slipAngle': 'slip angle',
+  'equation.sideForce': 'side force',
+  'equation.aligningMoment': 'aligning moment',
+  'equation.springAngle': 'angle that winds the spring',
+
   'parameter.velocity': 'Speed',
   'parameter.casterLength': 'Caster',
   'parameter.halfContactLength': 'Half contact length',

@@ -27,6 +27,15 @@ export const controls = {
   'scent.said.below': '{value} altında {state}',
   'scent.said.between': '{from} ile {to} arasında {state}',
 
+  'equation.beyond': 'ötesinde',
+  'equation.within': 'içinde',
+  'equation.torsionAngle': 'burulma açısı',
+  'equation.lateralDeformation': 'lastiğin şekil değişimi',
+  'equation.slipAngle': 'kayma açısı',
+  'equation.sideForce': 'yanal kuvvet',
+  'equation.aligningMoment': 'doğrultma momenti',
+  'equation.springAngle': 'yayı kuran açı',
+
   'parameter.velocity': 'Hız',
   'parameter.casterLength': 'Kaster',
   'parameter.halfContactLength': 'Yarım temas boyu',
