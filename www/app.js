@@ -18,6 +18,7 @@ import { writeLink } from './link/write.js';
 import { openingObject, openingParameters, openingRun } from './opening.js';
 import { settlingTime } from './run/fit.js';
 import { Clock } from './run/clock.js';
+import { LinearTheory } from './run/linear-theory.js';
 import { linksThatHold } from './run/links.js';
 import { slowRateFor } from './run/rate.js';
 import { Session } from './run/session.js';
@@ -53,10 +54,12 @@ export class App {
   left = null;
   /** The state as the step of the story put it. @type {State | null} */
   asTold = null;
+  /** The parameter that is being explained. @type {string | null} */ explained = null;
   /** Counts the changes that a hand has ended: each is a reason to speak. */ occasion = 0;
   /** Whether the outlook is to be looked at anew though no time has gone by. */ isLookDue = true;
   /** Called after each change of what elements show. */ onChange = () => {};
   /** @type {Map<string, Quantity[]>} */ #quantities = new Map();
+  /** @type {LinearTheory | null} */ #theory = null;
 
   /** All commands by name. @type {Readonly<Record<string, Command>>} */
   commands = {
@@ -93,6 +96,9 @@ export class App {
   get quantities() {
     return this.#quantitiesOf(this.state.object);
   }
+
+  /** Where the gear is unstable as one value varies; null where nothing is known of that. @param {string} parameter */
+  unstable = (parameter) => this.#theory?.unstable(this.state, parameter) ?? null;
 
   /** What "reset" brings back, in SI. @returns {Record<string, number>} */
   get usual() {
@@ -138,6 +144,7 @@ export class App {
     this.engine = engine;
     this.isStill = isStill;
     this.stories = [...presets, ...figuresOf(engine.atlas())];
+    this.#theory = new LinearTheory(engine);
     if (!addresses.some((address) => this.openLink(address))) {
       this.store.follow({ parameters: this.usual, run: openingRun });
       this.store.follow({ links: linksThatHold(engine, openingObject, this.usual) });

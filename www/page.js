@@ -2,6 +2,7 @@ import { LitElement, html } from 'lit';
 import './header.js';
 import './controls/dock.js';
 import './controls/drawer.js';
+import './controls/explanation.js';
 import './lens/tabs.js';
 import './lens/why.js';
 import './stage/stage.js';
@@ -58,6 +59,7 @@ export class Page extends LitElement {
     const app = this.#app;
     const { voice, session, clock, store, quantities } = app;
     const { object, parameters, links, lens, views, theme, clock: rate } = app.state;
+    const explained = quantities.find(({ name }) => name === app.explained);
     const change = this.#change;
     const { isVeiled } = app;
     return html`
@@ -76,10 +78,13 @@ export class Page extends LitElement {
           ${lens === 'compare' ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
           ${app.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.all', { count: quantities.length })} .voice=${voice}
             .quantities=${quantities} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
-            .isVeiled=${isVeiled}></shimmy-drawer>` : ''}
+            .unstable=${app.unstable} .explained=${app.explained} .isVeiled=${isVeiled}></shimmy-drawer>` : ''}
+          ${explained ? html`<shimmy-explanation role="dialog" aria-labelledby="explanation-name" .quantity=${explained} .model=${object}
+            .voice=${voice}></shimmy-explanation>` : ''}
         </section>
         <shimmy-dock role="region" aria-label=${voice.say('dock.name')} .voice=${voice} .knobs=${app.knobs} .quantities=${quantities} .values=${parameters}
-          .links=${links} .usual=${app.usual} .change=${change} .isOpen=${app.isDrawerOpen} .isVeiled=${isVeiled}></shimmy-dock>
+          .links=${links} .usual=${app.usual} .change=${change} .unstable=${app.unstable} .explained=${app.explained} .isOpen=${app.isDrawerOpen}
+          .isVeiled=${isVeiled}></shimmy-dock>
       </main>`;
   }
 

@@ -1,6 +1,7 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { Quantity } from '../../www/controls/quantity.js';
+import { grouped } from '../../www/controls/groups.js';
 import { explain } from '../../www/controls/refusal.js';
 import { isVelocityUnit, nextVelocityUnit, velocityUnits } from '../../www/controls/unit.js';
 import { parseNumber } from '../../www/words/number.js';
@@ -102,6 +103,15 @@ test('a refusal is explained in the unit that is shown', () => {
   assert.equal(explain({ code: 'out-of-range', allowed: '> 0 m/s' }, knots, 'Speed', 80, voiceOf('en')), 'Speed must be above 0 kn. It stays at 155.5.');
   const load = quantity({ name: 'verticalForce', unit: 'N', max: 50_000 });
   assert.equal(explain({ code: 'out-of-range', allowed: '≥ 0 N' }, load, 'Düşey kuvvet', 9000, voiceOf('tr')), 'Düşey kuvvet en az 0 kN olmalı. 9,0 olarak kaldı.');
+});
+
+test('every value stands in one group, whatever the model', () => {
+  const named = (/** @type {string[]} */ ...names) => names.map((name) => ({ name }));
+  const some = grouped(named('freeplayAngle', 'wheelRadius', 'velocity', 'dampingConstant', 'relaxationLength'));
+  assert.deepEqual(some.map(({ group, members }) => [group, members.map(({ name }) => name)]), [
+    ['motion', ['velocity']], ['gear', ['dampingConstant']], ['tire', ['relaxationLength']], ['freeplay', ['freeplayAngle']], ['others', ['wheelRadius']],
+  ]);
+  assert.deepEqual(grouped(named('velocity')).map(({ group }) => group), ['motion'], 'an empty group is none');
 });
 
 test('numbers too long for a field are powers of ten, and typed back mean the same', () => {

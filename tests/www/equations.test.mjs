@@ -82,13 +82,14 @@ test('every variable that is no parameter is named', () => {
   }
 });
 
-test('what a chain says is what the engine computes', () => {
-  const { relaxationLength, treadWidthMomentConstant } = engine.linkedParameters({ model: 'torsional', parameters: { halfContactLength: 0.12, sideForceDerivative: 18, verticalForce: 7000 } });
+test('a chain says what holds among the engine’s defaults', () => {
   const relation = (/** @type {string} */ name, /** @type {'en' | 'tr'} */ language) => read(markup(relationOf(name, '', voiceOf(language))));
+  const { halfContactLength: a, sideForceDerivative, verticalForce, relaxationLength, treadWidthMomentConstant } =
+    Object.fromEntries(models[0].parameters.map((parameter) => [parameter.name, parameter.default]));
   assert.equal(relation('relaxationLength', 'en'), 'σ=3 a');
-  assert.ok(Math.abs(relaxationLength - 3 * 0.12) < 1e-15);
+  assert.ok(Math.abs(relaxationLength - 3 * a) < 1e-12);
   assert.equal(relation('treadWidthMomentConstant', 'en'), 'κ=0.15 a2 cFα Fz');
   assert.equal(relation('treadWidthMomentConstant', 'tr'), 'κ=0,15 a2 cFα Fz');
-  assert.ok(Math.abs(treadWidthMomentConstant - 0.15 * 0.12 ** 2 * 18 * 7000) < 1e-9);
+  assert.ok(Math.abs(treadWidthMomentConstant - 0.15 * a ** 2 * sideForceDerivative * verticalForce) < 1e-9);
   for (const name of Object.keys(followed)) assert.match(markup(relationOf(name, '', voiceOf('en'))), /<math/);
 });

@@ -1,4 +1,4 @@
-import { LitElement, html } from 'lit';
+import { LitElement, html, nothing } from 'lit';
 import { tell } from '../command.js';
 import './knob.js';
 import { nameOf } from './quantity.js';
@@ -12,18 +12,26 @@ import { symbolOf } from './symbol.js';
 /** The knobs that are at hand where no story chooses others, the most telling first. An object that lacks one has the next. */
 export const usualKnobs = ['velocity', 'dampingConstant', 'casterLength', 'freeplayAngle', 'torsionalStiffness'];
 const mostKnobs = 4;
+/** A projector shows few things, and those large. */
+const mostOnProjector = 2;
+
+const oneAtATime = matchMedia('(max-width: 999px), (max-width: 1099px) and (max-height: 639px)');
+const projector = matchMedia('(min-width: 1000px) and (max-width: 1099px) and (min-height: 640px)');
 
 /**
  * The knobs under the stage. On a phone one large slider, and chips that choose which value it sets.
- * Commands: `drawer`, `resetAll`.
+ * Commands: `drawer`, `resetAll`, and those of its knobs.
  */
 export class Dock extends LitElement {
   static properties = {
-    knobs: { attribute: false },
     quantities: { attribute: false },
     values: { attribute: false },
     links: { attribute: false },
     usual: { attribute: false },
+    knobs: { attribute: false },
+    breath: { attribute: false },
+    unstable: { attribute: false },
+    explained: { attribute: false },
     voice: { attribute: false },
     isVeiled: { attribute: false },
     isOpen: { attribute: false },
@@ -32,11 +40,15 @@ export class Dock extends LitElement {
 
   constructor() {
     super();
-    /** The knobs that a story is about, before the usual ones. @type {readonly string[]} */ this.knobs = [];
     /** @type {Quantity[]} */ this.quantities = [];
     /** @type {Readonly<Record<string, number>>} */ this.values = {};
     /** Which values follow others. @type {Readonly<Record<string, boolean>>} */ this.links = {};
     /** @type {Readonly<Record<string, number>>} */ this.usual = {};
+    /** The knobs that a story is about, before the usual ones. @type {readonly string[]} */ this.knobs = [];
+    /** The knob that breathes, to be seen. @type {string | null} */ this.breath = null;
+    /** Where the gear is unstable as one value varies. @type {(name: string) => import('./scent.js').Unstable | null} */
+    this.unstable = () => null;
+    /** The parameter that is explained just now. @type {string | null} */ this.explained = null;
     /** @type {Voice | null} */ this.voice = null;
     /** Whether what would tell the future is hidden. */
     this.isVeiled = false;
@@ -50,40 +62,69 @@ export class Dock extends LitElement {
     return this;
   }
 
+  connectedCallback() {
+    super.connectedCallback();
+    for (const layout of [oneAtATime, projector]) layout.addEventListener('change', this.#relaid);
+  }
+
+  disconnectedCallback() {
+    for (const layout of [oneAtATime, projector]) layout.removeEventListener('change', this.#relaid);
+    super.disconnectedCallback();
+  }
+
   /** @param {Map<string, unknown>} changed */
   willUpdate(changed) {
     if (changed.has('knobs')) this.chosen = null;
   }
 
   render() {
-    const { voice, quantities, values, usual } = this;
+    const { voice, values } = this;
     if (!voice) return html``;
-    const names = [...new Set([...this.knobs, ...usualKnobs])];
-    const shown = names.flatMap((name) => quantities.filter((quantity) => quantity.name === name)).slice(0, mostKnobs);
-    const chosen = this.chosen ?? this.knobs[0] ?? 'dampingConstant';
-    const count = quantities.length;
+    const atHand = this.#atHand;
+    const chosen = this.#chosenOf(atHand);
+    const shown = oneAtATime.matches ? atHand.filter(({ name }) => name === chosen) : atHand.slice(0, projector.matches ? mostOnProjector : mostKnobs);
+    const count = this.quantities.length;
+    const isOpen = this.isOpen ? 'true' : 'false';
     return html`
       <div class="chips" role="group" aria-label=${voice.say('dock.choose')}>
-        ${shown.map((quantity) => html`
+        ${atHand.map((quantity) => html`
           <button type="button" aria-pressed=${chosen === quantity.name ? 'true' : 'false'}
             @click=${() => { this.chosen = quantity.name; }}>
             <span class="only-heard">${nameOf(quantity, voice)}</span> ${symbolOf(quantity.parameter.symbol)} ${short(values[quantity.name], quantity, voice)}
           </button>`)}
-        <button type="button" aria-expanded=${this.isOpen ? 'true' : 'false'} @click=${() => tell(this, 'drawer')}>
-          ${voice.say('dock.all.short', { count })}
-        </button>
+        <button type="button" aria-expanded=${isOpen} @click=${() => tell(this, 'drawer')}>${voice.say('dock.all.short', { count })}</button>
       </div>
-      ${shown.map((quantity) => html`
-        <shimmy-knob data-place="dock" data-name=${quantity.name} ?data-chosen=${chosen === quantity.name}
-          .quantity=${quantity} .value=${values[quantity.name]} .usual=${usual[quantity.name]} .voice=${voice}
-          .change=${this.change}></shimmy-knob>`)}
+      ${shown.map((quantity) => this.#knob(quantity, voice))}
       <div class="dock-more">
-        <button type="button" class="framed" aria-expanded=${this.isOpen ? 'true' : 'false'} @click=${() => tell(this, 'drawer')}>
+        <button type="button" class="framed" aria-expanded=${isOpen} @click=${() => tell(this, 'drawer')}>
           ${voice.say('dock.all', { count })} ${this.isOpen ? '▾' : '▴'}
         </button>
         <button type="button" class="plain" @click=${() => tell(this, 'resetAll')}>↺ ${voice.say('dock.reset')}</button>
       </div>`;
   }
+
+  /** The knobs that the dock may show: the story's, then the usual ones, as far as the object has them. */
+  get #atHand() {
+    const names = [...new Set([...this.knobs, ...usualKnobs])];
+    return names.flatMap((name) => this.quantities.filter((quantity) => quantity.name === name)).slice(0, mostKnobs);
+  }
+
+  /** Which one a phone shows: the one that was pressed, else the story's, else the damping, which is the cure. @param {Quantity[]} atHand */
+  #chosenOf(atHand) {
+    const wishes = [this.chosen, this.knobs[0], 'dampingConstant', atHand[0]?.name];
+    return wishes.find((wish) => atHand.some(({ name }) => name === wish)) ?? null;
+  }
+
+  /** @param {Quantity} quantity @param {Voice} voice */
+  #knob(quantity, voice) {
+    const { name } = quantity;
+    return html`
+      <shimmy-knob data-place="dock" data-name=${name} data-breath=${this.breath === name ? '' : nothing}
+        .quantity=${quantity} .value=${this.values[name]} .usual=${this.usual[name]} .links=${this.links} .voice=${voice}
+        .unstable=${this.isVeiled ? null : this.unstable(name)} .isExplained=${this.explained === name} .change=${this.change}></shimmy-knob>`;
+  }
+
+  #relaid = () => this.requestUpdate();
 }
 
 /**

@@ -1,5 +1,6 @@
 import { LitElement, html } from 'lit';
 import { tell } from '../command.js';
+import { grouped } from './groups.js';
 import './knob.js';
 
 /**
@@ -14,6 +15,8 @@ export class Drawer extends LitElement {
     values: { attribute: false },
     links: { attribute: false },
     usual: { attribute: false },
+    unstable: { attribute: false },
+    explained: { attribute: false },
     voice: { attribute: false },
     isVeiled: { attribute: false },
   };
@@ -24,6 +27,9 @@ export class Drawer extends LitElement {
     /** @type {Readonly<Record<string, number>>} */ this.values = {};
     /** Which values follow others. @type {Readonly<Record<string, boolean>>} */ this.links = {};
     /** @type {Readonly<Record<string, number>>} */ this.usual = {};
+    /** Where the gear is unstable as one value varies. @type {(name: string) => import('./scent.js').Unstable | null} */
+    this.unstable = () => null;
+    /** The parameter that is explained just now. @type {string | null} */ this.explained = null;
     /** @type {Voice | null} */ this.voice = null;
     /** Whether what would tell the future is hidden. */
     this.isVeiled = false;
@@ -50,10 +56,21 @@ export class Drawer extends LitElement {
         <button type="button" class="framed" @click=${this.#close}>${voice.say('dock.close')}</button>
       </header>
       <div class="drawer-knobs">
-        ${this.quantities.map((quantity) => html`
-          <shimmy-knob data-place="drawer" data-name=${quantity.name} .quantity=${quantity} .value=${this.values[quantity.name]}
-            .usual=${this.usual[quantity.name]} .voice=${voice} .change=${this.change}></shimmy-knob>`)}
+        ${grouped(this.quantities).map(({ group, members }) => html`
+          <section aria-label=${voice.say(`group.${group}`)}>
+            <h3>${voice.say(`group.${group}`)}</h3>
+            ${members.map((quantity) => this.#knob(quantity, voice))}
+          </section>`)}
       </div>`;
+  }
+
+  /** @param {Quantity} quantity @param {Voice} voice */
+  #knob(quantity, voice) {
+    const { name } = quantity;
+    return html`
+      <shimmy-knob data-place="drawer" data-name=${name} .quantity=${quantity} .value=${this.values[name]} .usual=${this.usual[name]}
+        .links=${this.links} .voice=${voice} .unstable=${this.isVeiled ? null : this.unstable(name)}
+        .isExplained=${this.explained === name} .change=${this.change}></shimmy-knob>`;
   }
 
   firstUpdated() {

@@ -1,9 +1,12 @@
-import { LitElement, html } from 'lit';
+import { LitElement, html, nothing } from 'lit';
 import { tell } from '../command.js';
 import { parseNumber } from '../words/number.js';
+import { chainsOf } from './chains.js';
 import { nameOf } from './quantity.js';
 import { explain } from './refusal.js';
+import { scentOf } from './scent.js';
 import { symbolOf } from './symbol.js';
+import { labelsOf, trackOf } from './track.js';
 import { isVelocityUnit, nextVelocityUnit } from './unit.js';
 
 /**
@@ -17,19 +20,30 @@ import { isVelocityUnit, nextVelocityUnit } from './unit.js';
 const places = 1000;
 
 /**
- * One parameter: symbol, name, exact number, unit, reset, and below them the slider. Made from the parameter's line in
- * the engine's table. A value that the engine refuses is explained beneath; the run keeps the last good one.
+ * One parameter: symbol, name, exact number, unit, reset, and below them the slider, whose track tells where the gear
+ * shimmies. Made from the parameter's line in the engine's table. A value that the engine refuses is explained beneath;
+ * the run keeps the last good one.
  *
- * Tells the end of a gesture by the command `settle`.
+ * Commands: `settle` at the end of a gesture; `explain` with the parameter's name; `velocityUnit`; `toggleLink`. With the
+ * attribute `data-breath` it breathes once.
  */
 export class Knob extends LitElement {
   static properties = {
     quantity: { attribute: false },
     value: { attribute: false },
     usual: { attribute: false },
+    unstable: { attribute: false },
+    links: { attribute: false },
+    isExplained: { attribute: false },
     voice: { attribute: false },
     refusal: { state: true },
+    track: { state: true },
   };
+
+  /** Told of the track's width, so that drawing asks for no layout. */
+  #observer = new ResizeObserver(([{ target, contentRect }]) => {
+    this.track = { width: contentRect.width, size: parseFloat(getComputedStyle(target).fontSize) };
+  });
 
   constructor() {
     super();
@@ -39,12 +53,23 @@ export class Knob extends LitElement {
     this.value = 0;
     /** The value that "reset" brings back, in SI. */
     this.usual = 0;
+    /** Where the gear is unstable along the slider; null where nothing is to be said of it. @type {import('./scent.js').Unstable | null} */
+    this.unstable = null;
+    /** Which values follow others. @type {import('../run/links.js').Links} */ this.links = {};
+    /** Whether it is explained just now. */
+    this.isExplained = false;
     /** @type {Refusal | null} */ this.refusal = null;
+    this.track = { width: 0, size: 0 };
     /** @type {Change} */ this.change = () => null;
   }
 
   createRenderRoot() {
     return this;
+  }
+
+  disconnectedCallback() {
+    this.#observer.disconnect();
+    super.disconnectedCallback();
   }
 
   /** @param {Map<string, unknown>} changed */
@@ -55,17 +80,17 @@ export class Knob extends LitElement {
   }
 
   render() {
-    const { quantity, voice } = this;
+    const { quantity, voice, unstable } = this;
     if (!quantity || !voice) return html``;
     const name = nameOf(quantity, voice);
     const id = `knob-${quantity.name}-${this.dataset.place}`;
-    const usual = quantity.write(this.usual, voice);
-    const reset = voice.say('knob.reset', { name, value: usual });
-    const sentence = this.refusal ? explain(this.refusal, quantity, name, this.value, voice)
-      : quantity.isFar(this.value) ? voice.say('knob.far', { min: quantity.number(quantity.toSI(quantity.min), voice), max: quantity.write(quantity.toSI(quantity.max), voice) }) : '';
+    const reset = voice.say('knob.reset', { name, value: quantity.write(this.usual, voice) });
+    const scent = unstable && scentOf(unstable, quantity, voice);
     return html`
       <div class="knob-line">
-        <label for="${id}-slider">${symbolOf(quantity.parameter.symbol)} <span>${name}</span></label>
+        <button type="button" class="name" title=${voice.say('knob.explain', { name })} aria-haspopup="dialog"
+          aria-expanded=${this.isExplained ? 'true' : 'false'} @click=${() => tell(this, 'explain', quantity.name)}>
+          ${symbolOf(quantity.parameter.symbol)} <span>${name}</span></button>
         <input id=${id} class="number" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
           aria-label=${voice.say('knob.number', { name })} aria-invalid=${this.refusal ? 'true' : 'false'}
           aria-describedby="${id}-refusal" .value=${quantity.number(this.value, voice)}
@@ -74,10 +99,21 @@ export class Knob extends LitElement {
         <button type="button" class="reset" title=${reset} aria-label=${reset} ?disabled=${this.value === this.usual}
           @click=${() => this.#set(this.usual)}>↺</button>
       </div>
-      <input id="${id}-slider" class="slider" type="range" min="0" max=${places} step="1"
-        aria-valuetext=${quantity.write(this.value, voice)} .value=${String(quantity.placeOf(this.value) * places)}
-        @input=${this.#dragged} @change=${this.#settle} @keydown=${this.#sliderKey} />
-      <p id="${id}-refusal" class="refusal" role="alert">${sentence}</p>`;
+      ${chainsOf(quantity.name, this.links, voice)}
+      <div class="slide">
+        ${trackOf(scent)}
+        <input id="${id}-slider" class="slider" type="range" min="0" max=${places} step="1" aria-label=${name}
+          aria-valuetext=${quantity.write(this.value, voice)} aria-description=${scent ? scent.inWords : nothing}
+          .value=${String(quantity.placeOf(this.value) * places)}
+          @input=${this.#dragged} @change=${this.#settle} @keydown=${this.#sliderKey} />
+      </div>
+      ${labelsOf(scent, this.track)}
+      <p id="${id}-refusal" class="refusal" role="alert">${this.#complaint(quantity, name, voice)}</p>`;
+  }
+
+  updated() {
+    const track = this.querySelector('.track');
+    if (track) this.#observer.observe(track);
   }
 
   /** The unit; that of a speed can be chosen. @param {Quantity} quantity @param {string} name @param {Voice} voice */
@@ -86,6 +122,13 @@ export class Knob extends LitElement {
     const next = nextVelocityUnit(unit);
     const title = voice.say('knob.unit', { name, unit, next });
     return html`<button type="button" class="unit" title=${title} aria-label=${title} @click=${() => tell(this, 'velocityUnit', next)}>${unit}</button>`;
+  }
+
+  /** @param {Quantity} quantity @param {string} name @param {Voice} voice */
+  #complaint(quantity, name, voice) {
+    if (this.refusal) return explain(this.refusal, quantity, name, this.value, voice);
+    if (!quantity.isFar(this.value)) return '';
+    return voice.say('knob.far', { min: quantity.number(quantity.toSI(quantity.min), voice), max: quantity.write(quantity.toSI(quantity.max), voice) });
   }
 
   /** @param {Event} event */

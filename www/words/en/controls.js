@@ -10,7 +10,20 @@ export const controls = {
   'knob.reset': '{name} back to {value}',
   'knob.far': 'Far beyond the slider’s {min} to {max}.',
   'knob.number': '{name}, exact number',
+  'knob.explain': 'What is {name}',
   'knob.unit': '{name} is in {unit}: show it in {next}',
+
+  'chain.joined': '{relation}. A press parts them.',
+  'chain.parted': 'Parted. A press joins them again: {relation}',
+
+  'relation.relaxationLength': 'The relaxation length follows the half contact length',
+  'relation.treadWidthMomentConstant': 'The tread width constant follows half contact length, side force slope and vertical force',
+
+  'group.motion': 'Motion and load',
+  'group.gear': 'Gear',
+  'group.tire': 'Tire',
+  'group.freeplay': 'Freeplay',
+  'group.others': 'Others',
 
   'scent.shimmies': 'shimmies',
   'scent.dies-out': 'dies out',
@@ -26,6 +39,11 @@ export const controls = {
   'scent.said.above': '{state} above {value}',
   'scent.said.below': '{state} below {value}',
   'scent.said.between': '{state} between {from} and {to}',
+
+  'explanation.usual': 'Usual value',
+  'explanation.range': 'Slider',
+  'explanation.linked': 'Linked',
+  'explanation.equations': 'Equations of this gear',
 
   'equation.beyond': 'beyond',
   'equation.within': 'within',

@@ -10,7 +10,20 @@ export const controls = {
   'knob.reset': '{name} yeniden {value}',
   'knob.far': 'Sürgünün {min} – {max} aralığının çok dışında.',
   'knob.number': '{name}, tam sayısal değer',
+  'knob.explain': '{name} nedir',
   'knob.unit': '{name} {unit} ile veriliyor: {next} olarak göster',
+
+  'chain.joined': '{relation}. Basınca ayrılır.',
+  'chain.parted': 'Ayrı. Basınca yeniden bağlanır: {relation}',
+
+  'relation.relaxationLength': 'Gevşeme boyu yarım temas boyunu izliyor',
+  'relation.treadWidthMomentConstant': 'Sırt genişliği sabiti yarım temas boyunu, yanal kuvvet eğimini ve düşey kuvveti izliyor',
+
+  'group.motion': 'Hareket ve yük',
+  'group.gear': 'İniş takımı',
+  'group.tire': 'Lastik',
+  'group.freeplay': 'Boşluk',
+  'group.others': 'Ötekiler',
 
   'scent.shimmies': 'shimmy var',
   'scent.dies-out': 'sönüyor',
@@ -26,6 +39,11 @@ export const controls = {
   'scent.said.above': '{value} üstünde {state}',
   'scent.said.below': '{value} altında {state}',
   'scent.said.between': '{from} ile {to} arasında {state}',
+
+  'explanation.usual': 'Olağan değer',
+  'explanation.range': 'Sürgü',
+  'explanation.linked': 'Bağlı',
+  'explanation.equations': 'Bu takımın denklemleri',
 
   'equation.beyond': 'ötesinde',
   'equation.within': 'içinde',

@@ -1,6 +1,6 @@
 /** What the parameters mean, in Turkish, by their names in the engine's table. @type {Readonly<Record<string, string>>} */
 export const docs = {
-  velocity: 'Taksi hızı; bir koşu boyunca sabittir. 0’dan büyük her değer geçerlidir.',
+  velocity: 'Taksi hızı; bir çalışma boyunca sabittir. 0’dan büyük her değer geçerlidir.',
   casterLength: 'Kaster boyu (mekanik iz): temas merkezi dönme ekseninin arkasındaysa artıdır. Sonlu her değer geçerlidir.',
   halfContactLength: 'Lastiğin yere değdiği boyun yarısı. 0’dan büyük her değer geçerlidir.',
   relaxationLength: 'Lastiğin gevşeme boyu; yayımlanmış verilerde 3a’dır. 0’dan büyük her değer geçerlidir.',
