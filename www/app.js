@@ -8,6 +8,7 @@ import { isVelocityUnit } from './controls/unit.js';
 import { clockCommands, handsOff } from './commands/clock.js';
 import { controlCommands } from './commands/controls.js';
 import { experimentCommands } from './commands/experiment.js';
+import { carriedOut, presentCommands } from './commands/present.js';
 import { storyCommands } from './commands/story.js';
 import { viewCommands } from './commands/view.js';
 import { recall } from './keep.js';
@@ -17,6 +18,8 @@ import { readLink } from './link/read.js';
 import { writeLink } from './link/write.js';
 import { openingObject, openingParameters, openingRun } from './opening.js';
 import { settlingTime } from './run/fit.js';
+import { Ink } from './present/ink.js';
+import { OpeningAct } from './present/opening-act.js';
 import { Clock } from './run/clock.js';
 import { LinearTheory } from './run/linear-theory.js';
 import { linksThatHold } from './run/links.js';
@@ -55,6 +58,9 @@ export class App {
   /** The state as the step of the story put it. @type {State | null} */
   asTold = null;
   /** The parameter that is being explained. @type {string | null} */ explained = null;
+  /** The first seconds of a fresh page; null once a visitor has done anything. @type {OpeningAct | null} */ act = null;
+  /** Whether a pen is in hand. */ isDrawing = false;
+  /** What it drew. */ ink = new Ink();
   /** Counts the changes that a hand has ended: each is a reason to speak. */ occasion = 0;
   /** Whether the outlook is to be looked at anew though no time has gone by. */ isLookDue = true;
   /** Called after each change of what elements show. */ onChange = () => {};
@@ -63,7 +69,8 @@ export class App {
 
   /** All commands by name. @type {Readonly<Record<string, Command>>} */
   commands = {
-    ...clockCommands(this), ...controlCommands(this), ...experimentCommands(this), ...storyCommands(this), ...viewCommands(this),
+    ...clockCommands(this), ...controlCommands(this), ...experimentCommands(this), ...presentCommands(this),
+    ...storyCommands(this), ...viewCommands(this),
   };
 
   constructor() {
@@ -84,7 +91,7 @@ export class App {
   /** Whether what would tell the future is hidden. */
   get isVeiled() {
     const { predict } = this.state;
-    return predict !== null && !predict.isRevealed;
+    return predict !== null && predict.outcome === null;
   }
 
   /** The model's tables; null before the engine is there. @returns {Model | null} */
@@ -126,10 +133,13 @@ export class App {
    * @param {unknown} [value]
    */
   run(name, value) {
-    const command = this.commands[name];
-    if (!command) throw new Error(`no command ${name}`);
-    if (!this.session && !['language', 'theme'].includes(name)) return;
-    if (handsOff.has(name)) this.commands.release();
+    const asked = carriedOut(name, this.isVeiled);
+    if (asked === null) return;
+    const command = this.commands[asked];
+    if (!command) throw new Error(`no command ${asked}`);
+    if (!this.session && !['language', 'theme'].includes(asked)) return;
+    this.act = null;
+    if (handsOff.has(asked)) this.commands.release();
     command(value);
     this.onChange();
   }
@@ -145,14 +155,17 @@ export class App {
     this.isStill = isStill;
     this.stories = [...presets, ...figuresOf(engine.atlas())];
     this.#theory = new LinearTheory(engine);
-    if (!addresses.some((address) => this.openLink(address))) {
+    const isFresh = !addresses.some((address) => this.openLink(address));
+    if (isFresh) {
       this.store.follow({ parameters: this.usual, run: openingRun });
       this.store.follow({ links: linksThatHold(engine, openingObject, this.usual) });
     }
     this.session = new Session(engine, this.store);
     this.setRate();
-    if (isStill) this.session.seek(settlingTime(this.session.outlook.envelope));
-    else this.clock.play();
+    if (this.isVeiled) this.clock.pause();
+    else if (!isStill) this.clock.play();
+    else this.session.seek(isFresh ? OpeningAct.end / this.clock.rate : settlingTime(this.session.outlook.envelope));
+    if (isFresh && !isStill) this.act = new OpeningAct();
     this.onChange();
   }
 
@@ -180,6 +193,8 @@ export class App {
       leave(this);
       this.store.open(change);
     } else this.store.follow(change);
+    this.act = null;
+    if (this.isVeiled) this.clock.pause();
     const note = noteOn(read.problems, this.voice);
     if (note && isBare) note.text += ` ${this.voice.say('link.start')}`;
     this.notes = note ? [note] : [];

@@ -2,6 +2,7 @@ import { LitElement, html } from 'lit';
 import { tell } from './command.js';
 import { otherKeys, shortcuts } from './keys.js';
 import { objectChooser } from './object/chooser.js';
+import './present/actions.js';
 import './story/search-field.js';
 
 /**
@@ -29,6 +30,9 @@ export class Header extends LitElement {
     canRedo: { attribute: false },
     isReady: { attribute: false },
     isShared: { attribute: false },
+    isPredicting: { attribute: false },
+    isDrawing: { attribute: false },
+    isPinned: { attribute: false },
   };
 
   constructor() {
@@ -42,6 +46,9 @@ export class Header extends LitElement {
     this.canRedo = false;
     this.isReady = false;
     this.isShared = false;
+    this.isPredicting = false;
+    this.isDrawing = false;
+    this.isPinned = false;
   }
 
   createRenderRoot() {
@@ -50,11 +57,11 @@ export class Header extends LitElement {
 
   connectedCallback() {
     super.connectedCallback();
-    document.addEventListener('pointerdown', this.#leave);
+    document.addEventListener('pointerdown', this.#leave, true);
   }
 
   disconnectedCallback() {
-    document.removeEventListener('pointerdown', this.#leave);
+    document.removeEventListener('pointerdown', this.#leave, true);
     super.disconnectedCallback();
   }
 
@@ -79,6 +86,8 @@ export class Header extends LitElement {
       <span class="spacer"></span>
       ${button('header.undo', '↶', this.canUndo, 'undo')}
       ${button('header.redo', '↷', this.canRedo, 'redo')}
+      <shimmy-actions .voice=${voice} .isReady=${this.isReady} .isPredicting=${this.isPredicting} .isDrawing=${this.isDrawing}
+        .isPinned=${this.isPinned}></shimmy-actions>
       <button type="button" class="framed share" ?disabled=${!this.isReady} @click=${() => tell(this, 'share')}>
         <span aria-live="polite">${voice.say(this.isShared ? 'header.shared' : 'header.share')}</span>
       </button>
@@ -88,6 +97,9 @@ export class Header extends LitElement {
           ${this.canComeBack ? html`<button type="button" class="framed" @click=${() => tell(this, 'comeBack')}>${voice.say('story.comeBack')}</button>` : ''}
           <div class="menu-actions">
             ${objectChooser(this.object, voice, this)}
+            <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'pen')}>${voice.say('header.pen')}</button>
+            <button type="button" class="framed" ?disabled=${!this.canUndo} @click=${() => tell(this, 'undo')}>↶ ${voice.say('header.undo')}</button>
+            <button type="button" class="framed" ?disabled=${!this.canRedo} @click=${() => tell(this, 'redo')}>↷ ${voice.say('header.redo')}</button>
             <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'share')}>${voice.say(this.isShared ? 'header.shared' : 'header.share')}</button>
             <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'resetAll')}>↺ ${voice.say('dock.reset')}</button>
           </div>
@@ -131,6 +143,7 @@ export class Header extends LitElement {
   #key(event) {
     const menu = this.#menu;
     if (event.key !== 'Escape' || !menu?.open) return;
+    event.preventDefault();
     menu.open = false;
     menu.querySelector('summary')?.focus();
   }

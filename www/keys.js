@@ -3,12 +3,18 @@
  *
  * @typedef {{
  *   keys: readonly string[], command: string, value?: unknown, word: string, isElementsOwn?: boolean, usedBy?: string,
+ *   whileVeiled?: boolean,
  * }} Shortcut `isElementsOwn`: a focused button or slider uses the key itself; `usedBy`: only these elements do, a
- *   selector; `word`: `key.<word>` and `key.<word>.does`
+ *   selector; `whileVeiled`: only then; `word`: `key.<word>` and `key.<word>.does`
  */
 
 /** @type {readonly Shortcut[]} */
 export const shortcuts = [
+  { keys: ['1'], command: 'guess', value: 'dies-out', word: 'guess', whileVeiled: true },
+  { keys: ['2'], command: 'guess', value: 'holds', word: 'guess', whileVeiled: true },
+  { keys: ['3'], command: 'guess', value: 'grows', word: 'guess', whileVeiled: true },
+  { keys: ['Enter'], command: 'reveal', word: 'reveal', usedBy: 'button, summary, select, a', whileVeiled: true },
+  { keys: ['PageDown'], command: 'reveal', word: 'reveal', whileVeiled: true },
   { keys: [' '], command: 'toggle', word: 'play', isElementsOwn: true },
   { keys: ['ArrowLeft'], command: 'back', word: 'step', isElementsOwn: true },
   { keys: ['ArrowRight'], command: 'on', word: 'step', isElementsOwn: true },
@@ -17,6 +23,12 @@ export const shortcuts = [
   { keys: ['0'], command: 'fit', word: 'fit' },
   { keys: ['PageDown'], command: 'next', word: 'story', usedBy: 'select, input' },
   { keys: ['PageUp'], command: 'previous', word: 'story', usedBy: 'select, input' },
+  { keys: ['p'], command: 'predict', word: 'predict' },
+  { keys: ['f'], command: 'freeze', word: 'freeze' },
+  { keys: ['d'], command: 'pen', word: 'pen' },
+  { keys: ['b'], command: 'big', word: 'big' },
+  { keys: ['Home'], command: 'rest', word: 'rest', usedBy: 'select, input, [role="slider"]' },
+  { keys: ['Escape'], command: 'close', word: 'close' },
 ];
 
 /** What the list under "?" says besides. */
@@ -25,11 +37,12 @@ export const otherKeys = /** @type {const} */ (['search', 'undo', 'knob', 'help'
 /**
  * Which shortcut a key press is; null where it is none, or where the focused element has its own use for it.
  * @param {KeyboardEvent} event
+ * @param {boolean} isVeiled whether something is to be guessed
  */
-export function shortcutOf(event) {
+export function shortcutOf(event, isVeiled) {
   if (event.ctrlKey || event.metaKey || event.altKey) return null;
   const isAt = (/** @type {string} */ elements) => event.target instanceof HTMLElement && event.target.matches(elements);
   const isUsed = isAt('button, select, summary, input, [role="slider"]');
-  return shortcuts.find(({ keys, isElementsOwn, usedBy }) =>
-    keys.includes(event.key) && !(isElementsOwn && isUsed) && !(usedBy && isAt(usedBy))) ?? null;
+  return shortcuts.find(({ keys, isElementsOwn, usedBy, whileVeiled }) =>
+    keys.includes(event.key) && !(isElementsOwn && isUsed) && !(usedBy && isAt(usedBy)) && (isVeiled || !whileVeiled)) ?? null;
 }

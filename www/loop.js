@@ -10,6 +10,7 @@
  */
 
 import { nameOf } from './controls/quantity.js';
+import { showInk } from './present/pen-layers.js';
 import { readTheme } from './style/theme.js';
 
 /** How often the engine looks ahead while nothing but time changes, and words and numbers follow, in ms. */
@@ -72,6 +73,7 @@ export class Loop {
       }
     }
     this.#tellOfStop(session, stage, this.#theme);
+    this.#present(now / 1000, this.#theme);
     if (clock.isPlaying) this.wake();
   }
 
@@ -86,6 +88,15 @@ export class Loop {
     const scene = session.scene({ ...stage.wanted, exposure, duration: this.#app.duration });
     if (this.#wildValues(scene.parameters).length === 0) this.#soundScene = scene;
     this.#draw(scene, stage, theme);
+  }
+
+  /** What is shown to others besides the run: the first seconds go on, ink fades. @param {number} now in s @param {Theme} theme */
+  #present(now, theme) {
+    const app = this.#app;
+    const { isPlaying } = app.clock;
+    if (app.act?.elapse(now, isPlaying)) app.onChange();
+    app.ink.elapse(now, isPlaying);
+    showInk(this.#host, app, theme);
   }
 
   /** @param {Scene} scene @param {Stage} stage @param {Theme} theme */

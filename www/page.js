@@ -5,6 +5,7 @@ import './controls/drawer.js';
 import './controls/explanation.js';
 import './lens/tabs.js';
 import './lens/why.js';
+import './present/prediction.js';
 import './stage/stage.js';
 import './story/strip.js';
 import { App } from './app.js';
@@ -50,6 +51,11 @@ export class Page extends LitElement {
     window.addEventListener('hashchange', () => this.#app.openLink(location.hash));
     window.addEventListener('pagehide', () => this.#remember());
     window.addEventListener('keydown', (event) => this.#key(event));
+    // A clicker's keys come before a slider that has the focus.
+    window.addEventListener('keydown', (event) => {
+      if (['PageUp', 'PageDown'].includes(event.key)) this.#key(event);
+    }, true);
+    for (const kind of ['pointerdown', 'keydown', 'wheel']) window.addEventListener(kind, () => this.#endAct(), { capture: true, passive: true });
     document.addEventListener('visibilitychange', () => this.#loop.wake());
     this.addEventListener('command', (event) => this.#carryOut(/** @type {CustomEvent} */ (event).detail));
     this.#open();
@@ -58,21 +64,24 @@ export class Page extends LitElement {
   render() {
     const app = this.#app;
     const { voice, session, clock, store, quantities } = app;
-    const { object, parameters, links, lens, views, theme, clock: rate } = app.state;
+    const { object, parameters, links, lens, views, theme, predict, isBig, clock: rate } = app.state;
     const explained = quantities.find(({ name }) => name === app.explained);
     const change = this.#change;
     const { isVeiled } = app;
     return html`
       <shimmy-header role="banner" .voice=${voice} .theme=${theme} .object=${object} .stories=${app.stories} .canComeBack=${app.left !== null}
-        .canUndo=${store.canUndo} .canRedo=${store.canRedo}
-        .isReady=${session !== null} .isShared=${this.isShared}></shimmy-header>
+        .canUndo=${store.canUndo} .canRedo=${store.canRedo} .isReady=${session !== null} .isShared=${this.isShared}
+        .isPredicting=${predict !== null} .isDrawing=${app.isDrawing} .isPinned=${app.ink.isPinned}></shimmy-header>
       <main>
         <shimmy-stage .voice=${voice} .isReady=${session !== null} .isPlaying=${clock.isPlaying} .isStill=${app.isStill}
           .isHeld=${session?.isHeld ?? false} .mode=${clock.mode} .slow=${clock.slow} .isChosen=${rate.slow !== null} .step=${clock.step}
-          .quantities=${quantities} .ghostCount=${app.state.ghosts.length} .views=${views} .failure=${app.failure} .isVeiled=${isVeiled}></shimmy-stage>
+          .quantities=${quantities} .ghostCount=${app.state.ghosts.length} .views=${views} .failure=${app.failure} .isVeiled=${isVeiled}
+          .isBig=${isBig}></shimmy-stage>
         <section class="lens" aria-label=${voice.say('lens.name')}>
-          <shimmy-strip .voice=${voice} .notes=${app.notes} .telling=${this.#teller.tell(app)} .canComeBack=${app.left !== null}
-            .isVeiled=${isVeiled}></shimmy-strip>
+          ${predict && app.notes.length === 0 ? html`<shimmy-prediction .voice=${voice} .predict=${predict}></shimmy-prediction>` : html`
+            <shimmy-strip ?data-waits=${this.#isActing} .voice=${voice} .notes=${app.notes} .telling=${this.#teller.tell(app)}
+              .canComeBack=${app.left !== null} .isVeiled=${isVeiled}></shimmy-strip>`}
+          ${this.#isActing ? html`<p class="opening-line" role="status">${app.act?.moment === 'wheel' ? '' : voice.say('act.sentence')}</p>` : ''}
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}></shimmy-lens-tabs>
           ${lensElement(lens, { voice, shows: views[lens] ?? '', isVeiled, quantities })}
           ${lens === 'compare' ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
@@ -84,12 +93,21 @@ export class Page extends LitElement {
         </section>
         <shimmy-dock role="region" aria-label=${voice.say('dock.name')} .voice=${voice} .knobs=${app.knobs} .quantities=${quantities} .values=${parameters}
           .links=${links} .usual=${app.usual} .change=${change} .unstable=${app.unstable} .explained=${app.explained} .isOpen=${app.isDrawerOpen}
-          .isVeiled=${isVeiled}></shimmy-dock>
+          .isVeiled=${isVeiled} ?data-breathes=${app.act?.moment === 'breath'}></shimmy-dock>
       </main>`;
   }
 
   updated() {
+    const { state, isDrawing } = this.#app;
+    this.toggleAttribute('data-big', state.isBig);
+    this.toggleAttribute('data-pen', isDrawing);
     this.#loop.wake();
+  }
+
+  /** Whether the first seconds have the strip above the lens to themselves. */
+  get #isActing() {
+    const { act, notes } = this.#app;
+    return act !== null && notes.length === 0;
   }
 
   async #open() {
@@ -153,7 +171,8 @@ export class Page extends LitElement {
     if (!this.#app.session || event.defaultPrevented || isWriting) return;
     if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z') {
       event.preventDefault();
-      this.#carryOut({ name: event.shiftKey ? 'redo' : 'undo', value: undefined });
+      const walk = event.shiftKey ? 'redo' : 'undo';
+      this.#carryOut({ name: this.#app.isDrawing ? 'penUndo' : walk, value: undefined });
       return;
     }
     if (event.key === '?') {
@@ -166,10 +185,18 @@ export class Page extends LitElement {
       /** @type {import('./story/search-field.js').SearchField | null} */ (this.querySelector('shimmy-search'))?.open();
       return;
     }
-    const shortcut = shortcutOf(event);
+    const shortcut = shortcutOf(event, this.#app.isVeiled);
     if (!shortcut) return;
     event.preventDefault();
+    event.stopPropagation();
     this.#carryOut({ name: shortcut.command, value: shortcut.value });
+  }
+
+  /** A visitor did something. */
+  #endAct() {
+    if (!this.#app.act) return;
+    this.#app.act = null;
+    this.requestUpdate();
   }
 
   /** Language and appearance onto the document, where they have changed. */

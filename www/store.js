@@ -17,7 +17,7 @@
  *   lens: string,
  *   views: Readonly<Record<string, string>>,
  *   story: { name: string, step: number } | null,
- *   predict: { guess: Guess | null, isRevealed: boolean } | null,
+ *   predict: { guess: Guess | null, outcome: import('./present/outcome.js').Outcome | null } | null,
  *   isBig: boolean,
  *   velocityUnit: import('./controls/unit.js').VelocityUnit,
  *   language: import('./words/number.js').Language,
@@ -25,7 +25,7 @@
  * }} State `run`: how it begins, and what was done to it up to `time`; `start`: values that were others then.
  *   `clock.slow`: how many times slower than life, null where the page chooses. `views`: what each lens (and the timeline)
  *   shows, by its name, and the `magnification` where a hand chose it. `predict`: what would tell the future is veiled until
- *   it is revealed; `isBig`: for the last row
+ *   there is an `outcome`; `isBig`: for the last row
  *
  * @typedef {'dies-out' | 'holds' | 'grows'} Guess
  *

@@ -22,7 +22,7 @@ function sequence(seed) {
 /** @param {() => number} random */
 function randomScene(random) {
   const magnification = [1, 2, 5, 10, 20, 50][Math.floor(6 * random())];
-  const layout = /** @type {LayoutName[]} */ (['desktop', 'projector', 'phone'])[Math.floor(3 * random())];
+  const layout = /** @type {LayoutName[]} */ (['desktop', 'projector', 'phone', 'big'])[Math.floor(4 * random())];
   const within = (/** @type {number} */ size) => (2 * random() - 1) * size;
   const swing = ((8 + 12 * random()) * DEGREE) / magnification;
   const freeplayAngle = random() < 0.5 ? 0 : random() * 2 * DEGREE;

@@ -24,6 +24,7 @@ export const sizes = {
   projector: { width: 584, height: 412 },
   phone: { width: 390, height: 282 },
   'phone-side': { width: 390, height: 282 },
+  big: { width: 584, height: 270 },
 };
 
 /**

@@ -22,6 +22,8 @@ const linked = {
   lens: 'phase',
   views: {},
   story: null,
+  predict: null,
+  isBig: false,
 };
 const fresh = { parameters: linked.parameters, changes: [], time: 0 };
 
@@ -66,6 +68,16 @@ test('what was done to the run comes back with its times', () => {
   const read = readLink(text, models, accepts);
   assert.deepEqual(read?.state.run, { initial: { torsionAngle: 0.05 }, start: { dampingConstant: 5 }, changes, time: 0.75 });
   assert.deepEqual(read?.problems, []);
+});
+
+test('a link carries that it is to be guessed first, but no guess and nothing revealed; and a verdict that is big', () => {
+  const asked = { ...linked, predict: { guess: /** @type {const} */ ('holds'), outcome: null }, isBig: true };
+  const text = writeLink(asked, fresh, models);
+  assert.match(text, /&slow=25&predict=1&big=1$/);
+  assert.deepEqual(readLink(text, models, accepts)?.state, { ...asked, predict: { guess: null, outcome: null } });
+  const outcome = { truth: /** @type {const} */ ('grows'), becomes: /** @type {const} */ ('grows'), amplitude: 0.3 };
+  assert.ok(!writeLink({ ...asked, predict: { guess: 'holds', outcome } }, fresh, models).includes('predict'));
+  assert.deepEqual(readLink('#shimmy=2&predict=yes&big=2', models, accepts)?.problems.map(({ reason }) => reason), ['unclear', 'unclear']);
 });
 
 test('a damaged record is left out, part by part', () => {

@@ -43,7 +43,9 @@ export class Drawer extends LitElement {
   connectedCallback() {
     super.connectedCallback();
     this.addEventListener('keydown', (event) => {
-      if (event.key === 'Escape') this.#close();
+      if (event.key !== 'Escape' || event.defaultPrevented) return;
+      event.preventDefault();
+      this.#close();
     });
   }
 

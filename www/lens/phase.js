@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import { tell } from '../command.js';
+import { veil } from '../present/veil.js';
 import { drawDeformationPortrait } from '../view/deformation-portrait.js';
 import { firstLook, turnedByDrag, turnedByKey } from '../view/look.js';
 import { drawOrbit } from '../view/orbit.js';
@@ -43,7 +44,7 @@ export class PhaseLens extends PlotLens {
 
   /** @param {Voice} voice */
   line(voice) {
-    return html`<p class="destination">${this.outlook && !this.isVeiled ? destination(this.outlook, voice) : ''}</p>`;
+    return html`<p class="destination">${this.isVeiled ? veil(voice) : this.outlook ? destination(this.outlook, voice) : ''}</p>`;
   }
 
   /** @param {Voice} voice */

@@ -6,7 +6,7 @@
  * @typedef {import('../run/live-run.js').Change} Change
  * @typedef {import('./write.js').Table} Table
  * @typedef {{ key: string, value: string, reason: 'unknown' | 'not-a-number' | 'too-large' | 'refused' | 'newer' | 'version' | 'missing' | 'twice' | 'unclear' | 'unknown-story', instead?: number }} Problem
- * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story'> & { velocityUnit?: State['velocityUnit'] }} Linked
+ * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story' | 'predict' | 'isBig'> & { velocityUnit?: State['velocityUnit'] }} Linked
  *   an address that names no unit leaves the speed in the reader's own
  * @typedef {(run: { model: string, parameters: Record<string, number>, initial: Record<string, number> }) => boolean} Accepts
  *   whether the engine takes these values
@@ -67,6 +67,8 @@ function blank(table) {
     lens: lenses[0].name,
     views: {},
     story: null,
+    predict: null,
+    isBig: false,
   };
 }
 
@@ -136,6 +138,16 @@ const readers = {
     const [name, step = '0'] = value.split(',');
     if (!/^[\w.-]+$/.test(name) || !/^\d{1,3}$/.test(step)) return 'unclear';
     state.story = { name, step: Number(step) };
+    return null;
+  },
+  predict: ({ state }, value) => {
+    if (value !== '1') return 'unclear';
+    state.predict = { guess: null, outcome: null };
+    return null;
+  },
+  big: ({ state }, value) => {
+    if (value !== '1') return 'unclear';
+    state.isBig = true;
     return null;
   },
 };

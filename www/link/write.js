@@ -13,7 +13,8 @@
  * | `time` | how far the run goes |
  * | `free` | values that do not follow others |
  * | `ghost` | a run kept beside: the time it was kept at, its model, values, and its state then |
- * | `clock`, `slow`, `lens`, `view.…`, `story` | how it is looked at; `view.velocityUnit` where the speed is not shown in m/s |
+ * | `clock`, `slow`, `lens`, `view.…`, `story`, `big` | how it is looked at; `view.velocityUnit` where the speed is not shown in m/s |
+ * | `predict` | what comes is to be guessed first |
  *
  * @typedef {import('../store.js').State} State
  * @typedef {import('../run/live-run.js').Recipe} Recipe
@@ -26,7 +27,7 @@ import { lenses } from '../lens/lenses.js';
 export const version = 2;
 
 /**
- * @param {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story'> & { velocityUnit?: State['velocityUnit'] }} state
+ * @param {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story' | 'predict' | 'isBig'> & { velocityUnit?: State['velocityUnit'] }} state
  * @param {Pick<Recipe, 'parameters' | 'changes' | 'time'>} recipe how the run came to where it is
  * @param {Table[]} models the first is the one that is not named
  */
@@ -45,6 +46,9 @@ export function writeLink(state, recipe, models) {
   pairs.push(...Object.entries(state.views).map(([of, shows]) => `view.${of}=${shows}`));
   if (state.velocityUnit && state.velocityUnit !== 'm/s') pairs.push(`view.velocityUnit=${state.velocityUnit}`);
   if (state.story) pairs.push(`story=${state.story.name}${state.story.step ? `,${state.story.step}` : ''}`);
+  // What has been revealed is no riddle any more.
+  if (state.predict && !state.predict.outcome) pairs.push('predict=1');
+  if (state.isBig) pairs.push('big=1');
   return `#${pairs.join('&')}`;
 }
 

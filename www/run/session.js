@@ -48,6 +48,7 @@ export class Session {
   /** @type {LiveRun} */ #live;
   #lookedAt = 0;
   #isStale = false;
+  /** Whether nobody may look ahead, so that nothing tells what comes before it is guessed: no word, axis or scale. */ #isVeiled;
   /** @type {Energy | null} */ #energy = null;
   /** When a hand took hold of the wheel, and how it stood. @type {{ time: number, before: Record<string, number>, angle: number } | null} */ #held = null;
 
@@ -58,13 +59,14 @@ export class Session {
   constructor(engine, store) {
     this.#engine = engine;
     this.#store = store;
+    this.#isVeiled = isVeiled(store.state);
     /** Why the run cannot go on, if so. @type {unknown} */
     this.failure = null;
     this.#live = this.#begun(store.state);
     this.ghosts = new Ghosts(engine);
     this.ghosts.follow(store.state.ghosts, this.time);
     /** What becomes of the motion if nothing changes. @type {Outlook} */
-    this.outlook = this.#tried(() => this.#lookAhead()) ?? nothingAhead;
+    this.outlook = this.#isVeiled ? nothingAhead : this.#tried(() => this.#lookAhead()) ?? nothingAhead;
     /** How large things are drawn: see `fit`. */
     this.scales = this.#tried(() => this.#fitted()) ?? { magnification: 1, limits: limitsFor({ angle: 0, rate: 0, deformation: 0 }), forces: { force: 1, moment: 1 } };
     store.subscribe((state, before, walk) => this.#follow(state, before, walk));
@@ -223,13 +225,20 @@ export class Session {
 
   /** Looks ahead anew where something has changed since. */
   refresh() {
-    this.#isStale = false;
+    this.#isStale = this.#isVeiled;
+    if (this.#isVeiled) return;
     this.outlook = this.#tried(() => this.#lookAhead()) ?? this.outlook;
     // Under a hand the scale stays, or the wheel would jump away from it.
     if (this.isHeld) return;
     const { angle } = this.#swing();
     const { magnification } = this.scales;
     if (angle * magnification > widestDrawn && this.#magnification(angle) < magnification) this.fit();
+  }
+
+  /** Looks ahead though it was veiled: what comes is about to be told. */
+  unveil() {
+    this.#isVeiled = false;
+    this.refresh();
   }
 
   /** Whether the outlook is older than the last change. */
@@ -345,6 +354,7 @@ export class Session {
 
   /** New axes and force scale where those in force no longer serve. The magnification stays as the run began. */
   #refit() {
+    if (this.#isVeiled) return;
     const { magnification, limits } = this.scales;
     const fitted = this.#tried(() => this.#fitted()) ?? this.scales;
     this.scales = { ...fitted, magnification, limits: stillFits(limits, this.#swing()) ? limits : fitted.limits };
@@ -422,6 +432,7 @@ export class Session {
 
   /** @param {State} state @param {State} before @param {import('../store.js').Walk | null} walk */
   #follow(state, before, walk) {
+    if (state.predict !== before.predict) this.#isVeiled = isVeiled(state);
     if (state.object !== before.object || state.run !== before.run) this.#begin(state);
     if (state.views.magnification !== before.views.magnification)
       this.scales = { ...this.scales, magnification: this.#magnification(this.#swing().angle) };
@@ -454,7 +465,10 @@ const columnsOf = ({ time, torsionAngle, torsionRate, lateralDeformation }) => (
 /** A wheel in a hand, by name. @param {number} angle ψ in rad */
 const held = (angle) => ({ torsionAngle: angle, torsionRate: 0 });
 
-/** Stands for an outlook where the very first look ahead failed. @type {Outlook} */
+/** @param {State} state */
+const isVeiled = ({ predict }) => predict !== null && predict.outcome === null;
+
+/** Stands for an outlook where the very first look ahead failed, or may not be. @type {Outlook} */
 const nothingAhead = {
   verdict: 'rests',
   settled: true,

@@ -38,6 +38,7 @@ export class GearView extends LitElement {
     quantities: { attribute: false },
     magnification: { attribute: false },
     angle: { attribute: false },
+    isBig: { attribute: false },
     layout: { state: true },
     isFromSide: { state: true },
   };
@@ -60,6 +61,7 @@ export class GearView extends LitElement {
     /** @type {Quantity[]} */ this.quantities = [];
     /** Chosen by hand; null where each run chooses. @type {number | null} */ this.magnification = null;
     /** ψ as it was told last, in rad. */ this.angle = 0;
+    /** Whether the verdict takes the room of the side view. */ this.isBig = false;
     this.layout = layoutName();
     this.isFromSide = false;
   }
@@ -122,7 +124,7 @@ export class GearView extends LitElement {
 
   /** How much of the ground behind is seen, in m. */
   get trackLength() {
-    return trackLength(this.size, { layout: this.layout, parameters: this.#scene?.parameters ?? gearAtRest.parameters });
+    return trackLength(this.size, { layout: this.#drawnLayout, parameters: this.#scene?.parameters ?? gearAtRest.parameters });
   }
 
   /**
@@ -180,12 +182,18 @@ export class GearView extends LitElement {
     if (this.#theme && this.voice) drawGear(context, size, this.#gearScene(), this.#theme, gearWords[this.voice.language]);
   };
 
+  /** @returns {import('./gear/scene.js').LayoutName} */
+  get #drawnLayout() {
+    if (this.isFromSide) return 'phone-side';
+    return this.isBig && this.layout !== 'phone' ? 'big' : this.layout;
+  }
+
   #redraw = () => this.#canvas?.redraw();
 
   /** @returns {import('./gear/scene.js').Scene} */
   #gearScene() {
     const scene = this.#scene;
-    const layout = this.isFromSide ? 'phone-side' : this.layout;
+    const layout = this.#drawnLayout;
     if (!scene) return { ...gearAtRest, layout };
     const { state, parameters, forces, track, roll, extremes, trail, fan, scales } = scene;
     return {

@@ -25,6 +25,7 @@ export class Stage extends LitElement {
   static properties = {
     voice: { attribute: false },
     isVeiled: { attribute: false },
+    isBig: { attribute: false },
     isReady: { attribute: false },
     isPlaying: { attribute: false },
     isStill: { attribute: false },
@@ -52,6 +53,8 @@ export class Stage extends LitElement {
     /** @type {Voice | null} */ this.voice = null;
     /** Whether what would tell the future is hidden. */
     this.isVeiled = false;
+    /** Whether the verdict takes the room of the side view. */
+    this.isBig = false;
     this.isReady = false;
     this.isPlaying = false;
     /** Whether less motion is asked for. */ this.isStill = false;
@@ -85,10 +88,10 @@ export class Stage extends LitElement {
     const angle = this.#scene?.state[0] ?? 0;
     return html`
       <div class="gear" role="group" aria-label=${voice.say('stage.name')}>
-        <shimmy-gear .voice=${voice} .isReady=${this.isReady} .isHeld=${this.isHeld} .isPlaying=${this.isPlaying}
+        <shimmy-gear .voice=${voice} .isReady=${this.isReady} .isHeld=${this.isHeld} .isPlaying=${this.isPlaying} .isBig=${this.isBig}
           .quantities=${this.quantities} .magnification=${chosenMagnification(this.views)} .angle=${angle}></shimmy-gear>
         <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .isHeld=${this.isHeld} .angle=${angle}
-          .occasion=${this.occasion} .message=${this.#message(voice)}></shimmy-verdict>
+          .occasion=${this.occasion} .isVeiled=${this.isVeiled} .message=${this.#message(voice)}></shimmy-verdict>
       </div>
       <shimmy-transport role="group" aria-label=${voice.say('clock.name')} .voice=${voice} .isPlaying=${this.isPlaying} .isReady=${this.isReady}
         .isStill=${this.isStill} .mode=${this.mode} .slow=${this.slow} .isChosen=${this.isChosen} .frequency=${this.frequency}

@@ -48,7 +48,7 @@ export function heldLine(angle, voice) {
  * @param {number} radians
  * @param {Voice} voice
  */
-function swing(radians, voice) {
+export function swing(radians, voice) {
   const angle = radians * degrees;
   if (angle === 0) return '0°';
   if (angle < 0.005) return `< ±${voice.number(0.01, 2)}°`;

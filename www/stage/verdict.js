@@ -1,4 +1,5 @@
 import { LitElement, html, svg } from 'lit';
+import { veil } from '../present/veil.js';
 import { heldLine, numbersOf } from './verdict-line.js';
 
 /**
@@ -16,7 +17,7 @@ const shortestSilence = 2000;
 export class Verdict extends LitElement {
   static properties = {
     outlook: { attribute: false }, voice: { attribute: false }, message: { attribute: false }, occasion: { attribute: false },
-    isHeld: { attribute: false }, angle: { attribute: false }, spoken: { state: true },
+    isVeiled: { attribute: false }, isHeld: { attribute: false }, angle: { attribute: false }, spoken: { state: true },
   };
 
   #spokenKey = '';
@@ -33,6 +34,8 @@ export class Verdict extends LitElement {
     this.occasion = 0;
     /** Whether a hand holds the wheel: then the motion is the hand's, and there is none to judge. */ this.isHeld = false;
     /** ψ now, in rad. */ this.angle = 0;
+    /** Whether it is to be guessed first. */
+    this.isVeiled = false;
     this.spoken = '';
   }
 
@@ -41,7 +44,8 @@ export class Verdict extends LitElement {
   }
 
   willUpdate() {
-    if (this.outlook && this.voice && !this.isHeld) this.#speak(this.outlook, this.voice);
+    if (this.isVeiled) this.#hush();
+    else if (this.outlook && this.voice && !this.isHeld) this.#speak(this.outlook, this.voice);
   }
 
   disconnectedCallback() {
@@ -57,11 +61,20 @@ export class Verdict extends LitElement {
       <h1 data-verdict="held">${icon('held')}<span>${voice.say('verdict.held')}</span></h1>
       <p class="verdict-numbers">${heldLine(this.angle, voice)}</p>`;
     if (!outlook) return html``;
+    if (this.isVeiled) return html`<p class="verdict-veil">${veil(voice)}</p>`;
     return html`
       <h1 data-verdict=${outlook.verdict}>${icon(outlook.verdict)}<span>${voice.say(`verdict.${outlook.verdict}`)}</span></h1>
       <p class="verdict-numbers">${numbersOf(outlook, voice).map(({ text, isExtra }, i) => html`
         <span class=${isExtra ? 'extra' : ''}>${i ? html`<span class="dot">·</span> ` : ''}${text}</span>`)}</p>
       <p class="only-heard" aria-live="polite">${this.spoken}</p>`;
+  }
+
+  /** What was spoken is heard no more; the next verdict is spoken at once. */
+  #hush() {
+    clearTimeout(this.#later);
+    this.#spokenKey = '';
+    this.#spokenAt = -Infinity;
+    this.spoken = '';
   }
 
   /** @param {Outlook} outlook @param {Voice} voice */

@@ -16,7 +16,10 @@
  * @property {number} height
  */
 
-/** @typedef {'desktop' | 'projector' | 'phone' | 'phone-side'} LayoutName `phone`: the top view alone, `phone-side`: the other */
+/**
+ * @typedef {'desktop' | 'projector' | 'phone' | 'phone-side' | 'big'} LayoutName `phone`: the top view alone, `phone-side`:
+ *   the other; `big`: the top view under a big verdict
+ */
 
 /**
  * The tire's forces and the spring at this instant, as the engine computes them.

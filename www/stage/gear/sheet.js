@@ -58,6 +58,12 @@ const LAYOUTS = {
     headM: 0.205, headTop: 6, headRight: 12, foot: 56, small: 13, label: 15, large: 17, line: 1.1,
     detailed: false, roomy: false,
   },
+  /** Seen from the last row, under a verdict that has a row of its own. */
+  big: {
+    verdict: 24, widthM: 1.64, topM: 0.9, sideM: 0, axisAt: 0.4, protractorM: 0.6,
+    headM: 0.205, headTop: 6, headRight: 12, foot: 0, small: 17, label: 19, large: 22, line: 1.5,
+    detailed: false, roomy: false,
+  },
 };
 
 /**

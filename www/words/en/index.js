@@ -4,9 +4,12 @@ import { lens } from './lens.js';
 import { out } from './out.js';
 import { page } from './page.js';
 import { plots } from './plots.js';
+import { present } from './present.js';
 import { presets } from './presets.js';
 import { stage } from './stage.js';
 import { story } from './story.js';
 
 /** Every string of the page in English, area by area. `{name}` is filled in; the Turkish table has the same keys and names. */
-export const en = { ...atlas, ...controls, ...lens, ...out, ...page, ...plots, ...presets, ...stage, ...story };
+export const en = {
+  ...atlas, ...controls, ...lens, ...out, ...page, ...plots, ...present, ...presets, ...stage, ...story,
+};

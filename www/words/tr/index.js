@@ -4,9 +4,12 @@ import { lens } from './lens.js';
 import { out } from './out.js';
 import { page } from './page.js';
 import { plots } from './plots.js';
+import { present } from './present.js';
 import { presets } from './presets.js';
 import { stage } from './stage.js';
 import { story } from './story.js';
 
 /** Every string of the page in Turkish. @type {typeof import('../en/index.js').en} */
-export const tr = { ...atlas, ...controls, ...lens, ...out, ...page, ...plots, ...presets, ...stage, ...story };
+export const tr = {
+  ...atlas, ...controls, ...lens, ...out, ...page, ...plots, ...present, ...presets, ...stage, ...story,
+};
