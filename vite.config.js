@@ -8,6 +8,7 @@ import { installable } from './scripts/bundle/installable.js';
 import { notices } from './scripts/bundle/notices.js';
 import { offline } from './scripts/bundle/offline.js';
 import { openedFromFile } from './scripts/bundle/opened-from-file.js';
+import { preloadEngine } from './scripts/bundle/preload-engine.js';
 
 /** The site loads its own files; the single file has none. */
 const OWN_FILES = Object.fromEntries(
@@ -32,6 +33,6 @@ export default defineConfig(({ mode }) => {
     worker: { format: single ? 'iife' : 'es' },
     plugins: single
       ? [viteSingleFile({ outputFileName: 'shimmy.html' }), notices('comment'), contentSecurityPolicy()]
-      : [openedFromFile(), installable(), notices('file'), contentSecurityPolicy(OWN_FILES), offline()],
+      : [openedFromFile(), preloadEngine(), installable(), notices('file'), contentSecurityPolicy(OWN_FILES), offline()],
   };
 });
