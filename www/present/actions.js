@@ -34,7 +34,7 @@ export class Actions extends LitElement {
     if (!voice) return html``;
     const tools = html`
       <span class="pen-tools" role="group" aria-label=${voice.say('pen.tools')}>
-        ${this.#button('penUndo', voice.say('pen.undo'), voice.say('pen.undo.does'))}
+        ${this.#button('penUndo', html`<span>${voice.say('pen.undo')}</span>`, voice.say('pen.undo.does'))}
         ${this.#button('penClear', voice.say('pen.clear'), voice.say('pen.clear.does'))}
         ${this.#button('penPin', voice.say('pen.pin'), voice.say('pen.pin.does'), this.isPinned)}
       </span>`;
@@ -44,7 +44,7 @@ export class Actions extends LitElement {
       ${this.#button('pen', voice.say('header.pen'), voice.say('key.pen.does'), this.isDrawing)}`;
   }
 
-  /** @param {string} command @param {string} word @param {string} title @param {boolean} [isPressed] for one that stays pressed */
+  /** @param {string} command @param {unknown} word @param {string} title @param {boolean} [isPressed] for one that stays pressed */
   #button(command, word, title, isPressed) {
     return html`<button type="button" class="framed ${command}" title=${title} ?disabled=${!this.isReady}
       aria-pressed=${isPressed === undefined ? nothing : isPressed ? 'true' : 'false'} @click=${() => tell(this, command)}>${word}</button>`;
