@@ -11,8 +11,8 @@ const PERIOD = 8;
 const JOINT_SPACING = 1;
 const JOINT = 0.009;
 const SPECKLES = 1000;
-/** Of so many speckles one is a larger stone. */
-const STONES = 4;
+/** The first of them are larger stones. */
+const STONES = 250;
 /** The shortest streak [m], that of a runway at rest, and the longest, across most of a sheet. */
 const SHORTEST = 0.012;
 const LONGEST = 2;
@@ -63,15 +63,14 @@ function drawSpeckles(ctx, sheet, scene, theme) {
   const inset = 4;
   const strength = 1 / (1 + 6 * exposure);
   ctx.lineCap = 'round';
-  for (const [stones, width, color] of /** @type {const} */ ([
-    [false, 1.1, translucent(theme.rule, strength)],
-    [true, 1.5, translucent(theme.ghost, 0.27 * strength)],
+  for (const [from, until, width, color] of /** @type {const} */ ([
+    [STONES, SPECKLES, 1.1, translucent(theme.rule, strength)],
+    [0, STONES, 1.5, translucent(theme.ghost, 0.27 * strength)],
   ])) {
     ctx.strokeStyle = color;
     ctx.lineWidth = width * sheet.line;
     ctx.beginPath();
-    for (let i = 0; i < SPECKLES; i++) {
-      if ((i % STONES === 0) !== stones) continue;
+    for (let i = from; i < until; i++) {
       const x = wrap(speckles[3 * i] - scene.roll, PERIOD);
       const length = SHORTEST + speckles[3 * i + 2] + exposure;
       if (x - length > visible) continue;
