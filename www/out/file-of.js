@@ -12,7 +12,7 @@ import { svgOf } from './svg.js';
  *
  * @typedef {import('../engine/engine.js').Engine} Engine
  * @typedef {import('../engine/engine.js').Model} Model
- * @typedef {import('../store.js').Experiment} Experiment
+ * @typedef {import('./run-of.js').Experiment} Experiment
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('./plate.js').Picture} Picture
  * @typedef {import('./plate.js').Caption} Caption

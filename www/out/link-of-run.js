@@ -1,15 +1,14 @@
+import { version } from '../link/write.js';
+
 /**
  * The address of the experiment that a file of a run holds, for the page to open as it opens any link: what it cannot
  * read there it lists. An error where the text is no run at all.
  * @param {string} text
- * @param {{ name: string }} table the model that the page shows
  */
-export function linkOfRun(text, { name }) {
+export function linkOfRun(text) {
   const run = /** @type {unknown} */ (JSON.parse(text));
   if (!isRecord(run) || typeof run.model !== 'string') throw new Error('it names no model');
-  const pairs = new URLSearchParams({ shimmy: '1' });
-  // Another gear than the one on the page: the link's reader does not know the key, and says so.
-  if (run.model !== name) pairs.append('model', run.model);
+  const pairs = new URLSearchParams({ shimmy: String(version), model: run.model });
   if (isRecord(run.parameters)) for (const [key, value] of Object.entries(run.parameters)) pairs.append(key, String(value));
   if (isRecord(run.initial)) for (const [key, value] of Object.entries(run.initial)) pairs.append(`initial.${key}`, String(value));
   return `#${pairs}`;

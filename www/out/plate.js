@@ -23,7 +23,8 @@ const lineHeight = 1.45;
 export function plateOf({ size, paint, over }, { title, values, link }, theme, ruler) {
   const above = [...lines(title, 1.3, 600, theme.ink), ...lines(values, 1, 400, theme.ink2)];
   const below = lines(link, 0.85, 400, theme.ink2);
-  const top = margin + heightOf(above) + margin / 2;
+  // On whole pixels, so that what the view keeps as bitmaps stays sharp.
+  const top = Math.round(margin + heightOf(above) + margin / 2);
   const foot = top + size.height + margin / 2;
   const height = Math.ceil(foot + heightOf(below) + margin);
 

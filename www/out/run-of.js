@@ -1,9 +1,10 @@
 /**
  * The experiment of the page as a run that says everything itself: every parameter and every start, whatever the
- * defaults of a later version, and tolerances at which anybody's solver comes to the same numbers.
+ * defaults of a later version, and tolerances at which anybody's solver comes to the same numbers. It is the run from its
+ * start, with the values as they are now and nothing done to it on the way.
  *
  * @typedef {import('../engine/engine.js').Model} Model
- * @typedef {import('../store.js').Experiment} Experiment
+ * @typedef {Pick<import('../store.js').State, 'object' | 'parameters' | 'run'>} Experiment
  * @typedef {{
  *   model: string, parameters: Record<string, number>, initial: Record<string, number>,
  *   duration: number, samples: number, rtol: number,

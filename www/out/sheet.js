@@ -1,4 +1,5 @@
 import { LitElement, html } from 'lit';
+import { tell } from '../command.js';
 
 /**
  * @typedef {import('../words/voice.js').Voice} Voice
@@ -11,8 +12,7 @@ const runFormats = /** @type {const} */ (['csv', 'json', 'python']);
 
 /**
  * The button *Share* with the sheet under it: the link, the run as files, each view on screen as a picture, and a
- * saved run to open. Events: `out` with a wish as detail, `open` with `{ name, text }` of a chosen file. `said` tells
- * what came of it.
+ * saved run to open. Commands: `out` with a wish, `openFile` with `{ name, text }`. `said` tells what came of it.
  */
 export class OutSheet extends LitElement {
   static properties = {
@@ -69,6 +69,7 @@ export class OutSheet extends LitElement {
           </section>
           <section>
             <h2>${voice.say('out.run')}</h2>
+            <p>${voice.say('out.run.does')}</p>
             <ul>${formats.map((format) => html`
               <li><button type="button" class="out-file plain" ?disabled=${!this.isReady} @click=${() => this.#wish(format)}>
                 <b>${voice.say(`out.${format}`)}</b> <span>${voice.say(`out.${format}.does`)}</span>
@@ -105,7 +106,7 @@ export class OutSheet extends LitElement {
 
   /** @param {Wish['what']} what @param {string} [view] */
   #wish(what, view = '') {
-    this.dispatchEvent(new CustomEvent('out', { detail: /** @type {Wish} */ ({ what, view }) }));
+    tell(this, 'out', /** @type {Wish} */ ({ what, view }));
   }
 
   /** @param {Event} event */
@@ -116,7 +117,7 @@ export class OutSheet extends LitElement {
     const text = await file.text();
     // The same file may be chosen again.
     input.value = '';
-    this.dispatchEvent(new CustomEvent('open', { detail: { name: file.name, text } }));
+    tell(this, 'openFile', { name: file.name, text });
   }
 
   /** A press elsewhere closes the sheet. @param {PointerEvent} event */

@@ -36,8 +36,8 @@ test('a picture without a view is a mistake of the page, and told', async () => 
 
 test('a saved file leads to its link, another to a sentence', () => {
   const voice = voiceOf('en');
-  assert.deepEqual(linkOfFile({ name: 'a.json', text: '{"model": "torsional", "parameters": {"velocity": 60}}' }, material.table, voice),
-    { link: '#shimmy=1&velocity=60', said: '' });
-  assert.deepEqual(linkOfFile({ name: 'holiday.jpg', text: '\u{fffd}' }, material.table, voice),
+  assert.deepEqual(linkOfFile({ name: 'a.json', text: '{"model": "torsional", "parameters": {"velocity": 60}}' }, voice),
+    { link: '#shimmy=2&model=torsional&velocity=60', said: '' });
+  assert.deepEqual(linkOfFile({ name: 'holiday.jpg', text: '\u{fffd}' }, voice),
     { link: '', said: 'No run could be read from holiday.jpg.' });
 });

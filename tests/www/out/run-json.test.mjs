@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { readLink } from '../../../www/link.js';
+import { readLink } from '../../../www/link/read.js';
 import { linkOfRun } from '../../../www/out/link-of-run.js';
 import { runJson } from '../../../www/out/run-json.js';
 import { shimmy } from '../../node/module.mjs';
@@ -27,20 +27,19 @@ test('a long run is sampled less finely, a short one still at both ends', () => 
 
 test('the page opens it again: every value comes back to the last bit', () => {
   const run = wholeRun('torsional', { velocity: 1 / 3, freeplayAngle: Math.PI / 180, torsionalStiffness: 1e-300 }, 2);
-  const table = tableOf('torsional');
-  const read = readLink(linkOfRun(runJson(run), table), table, () => true);
+  const read = readLink(linkOfRun(runJson(run)), shimmy.models(), () => true);
   assert.deepEqual(read?.problems, []);
+  assert.equal(read?.state.object, 'torsional');
   assert.deepEqual(read?.state.parameters, run.parameters);
   assert.deepEqual(read?.state.run.initial, run.initial);
 });
 
 test('what the page cannot take of a file is listed, as of a link; what is no run is refused', () => {
-  const table = tableOf('torsional');
-  const text = JSON.stringify({ model: 'lorenz', parameters: { sigma: 10, velocity: 'fast', dampingConstant: null }, initial: { torsionRate: 1 } });
-  const read = readLink(linkOfRun(text, table), table, () => true);
+  const text = JSON.stringify({ model: 'perpetuum-mobile', parameters: { sigma: 10, velocity: 'fast', dampingConstant: null }, initial: { torsionRate: 1 } });
+  const read = readLink(linkOfRun(text), shimmy.models(), () => true);
   assert.deepEqual(read?.problems.map(({ key, reason }) => [key, reason]),
     [['model', 'unknown'], ['sigma', 'unknown'], ['velocity', 'not-a-number'], ['dampingConstant', 'not-a-number']]);
   assert.equal(read?.state.run.initial.torsionRate, 1);
   for (const wrong of ['', 'time (s),torsionAngle (rad)', '[]', '{}', 'null', '{"model": 3}'])
-    assert.throws(() => linkOfRun(wrong, table), wrong);
+    assert.throws(() => linkOfRun(wrong), wrong);
 });

@@ -28,7 +28,8 @@ const kept = new WeakMap();
  * @param {(ctx: CanvasRenderingContext2D) => void} draw
  */
 export function drawStill(ctx, sheet, theme, key, box, draw) {
-  if (!sheet.isCached || typeof OffscreenCanvas === 'undefined') {
+  // A context that writes lines (out/svg-context.js) takes no bitmaps.
+  if (!sheet.isCached || typeof OffscreenCanvas === 'undefined' || !('drawImage' in ctx)) {
     draw(ctx);
     return;
   }
