@@ -2,6 +2,7 @@ import { LitElement, html } from 'lit';
 import { tell } from './command.js';
 import { otherKeys, shortcuts } from './keys.js';
 import { objectChooser } from './object/chooser.js';
+import './out/sheet.js';
 import './present/actions.js';
 import './story/search-field.js';
 
@@ -17,7 +18,7 @@ const languages = /** @type {const} */ ([['en', 'English'], ['tr', 'Türkçe']])
 
 /**
  * The page's head: which object, the search, undo and redo, the link, and a menu with language, appearance and keys.
- * Commands: `object`, `open`, `comeBack`, `undo`, `redo`, `share`, `resetAll`, `language` and `theme` with the choice.
+ * Commands: `object`, `open`, `comeBack`, `undo`, `redo`, `resetAll`, `language` and `theme` with the choice.
  */
 export class Header extends LitElement {
   static properties = {
@@ -29,7 +30,9 @@ export class Header extends LitElement {
     canUndo: { attribute: false },
     canRedo: { attribute: false },
     isReady: { attribute: false },
-    isShared: { attribute: false },
+    views: { attribute: false },
+    link: { attribute: false },
+    said: { attribute: false },
     isPredicting: { attribute: false },
     isDrawing: { attribute: false },
     isPinned: { attribute: false },
@@ -45,7 +48,9 @@ export class Header extends LitElement {
     this.canUndo = false;
     this.canRedo = false;
     this.isReady = false;
-    this.isShared = false;
+    /** @type {import('./out/sheet.js').View[]} */ this.views = [];
+    this.link = '';
+    /** What came of the last wish to take something along. */ this.said = '';
     this.isPredicting = false;
     this.isDrawing = false;
     this.isPinned = false;
@@ -88,9 +93,7 @@ export class Header extends LitElement {
       ${button('header.redo', '↷', this.canRedo, 'redo')}
       <shimmy-actions .voice=${voice} .isReady=${this.isReady} .isPredicting=${this.isPredicting} .isDrawing=${this.isDrawing}
         .isPinned=${this.isPinned}></shimmy-actions>
-      <button type="button" class="framed share" ?disabled=${!this.isReady} @click=${() => tell(this, 'share')}>
-        <span aria-live="polite">${voice.say(this.isShared ? 'header.shared' : 'header.share')}</span>
-      </button>
+      <shimmy-out-sheet .voice=${voice} .isReady=${this.isReady} .views=${this.views} .link=${this.link} .said=${this.said}></shimmy-out-sheet>
       <details class="menu" @keydown=${this.#key}>
         <summary class="plain icon" title=${voice.say('header.menu')} aria-label=${voice.say('header.menu')}>⋯</summary>
         <div class="menu-sheet">
@@ -100,7 +103,6 @@ export class Header extends LitElement {
             <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'pen')}>${voice.say('header.pen')}</button>
             <button type="button" class="framed" ?disabled=${!this.canUndo} @click=${() => tell(this, 'undo')}>↶ ${voice.say('header.undo')}</button>
             <button type="button" class="framed" ?disabled=${!this.canRedo} @click=${() => tell(this, 'redo')}>↷ ${voice.say('header.redo')}</button>
-            <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'share')}>${voice.say(this.isShared ? 'header.shared' : 'header.share')}</button>
             <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => tell(this, 'resetAll')}>↺ ${voice.say('dock.reset')}</button>
           </div>
           ${this.#choice('menu.language', 'language', languages.map(([value, word]) => ({ value, word, lang: value })), voice.language)}

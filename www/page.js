@@ -14,6 +14,11 @@ import { keep, recall } from './keep.js';
 import { shortcutOf } from './keys.js';
 import { lensElement } from './lens/elements.js';
 import { Loop } from './loop.js';
+import { materialOf } from './out/from-page.js';
+import { grant } from './out/grant.js';
+import { linkOfFile } from './out/link-of-file.js';
+import { viewsOf } from './out/views.js';
+import { readTheme } from './style/theme.js';
 import { Teller } from './story/telling.js';
 
 const stillness = matchMedia('(prefers-reduced-motion: reduce)');
@@ -23,7 +28,7 @@ const stillness = matchMedia('(prefers-reduced-motion: reduce)');
  * frames drawn.
  */
 export class Page extends LitElement {
-  static properties = { isShared: { state: true } };
+  static properties = { said: { state: true } };
 
   #app = new App();
   #loop = new Loop(this.#app, this);
@@ -33,7 +38,7 @@ export class Page extends LitElement {
 
   constructor() {
     super();
-    this.isShared = false;
+    /** What came of the last wish to take something along. */ this.said = '';
     this.#app.onChange = () => this.#changed();
   }
 
@@ -70,7 +75,8 @@ export class Page extends LitElement {
     const { isVeiled } = app;
     return html`
       <shimmy-header role="banner" .voice=${voice} .theme=${theme} .object=${object} .stories=${app.stories} .canComeBack=${app.left !== null}
-        .canUndo=${store.canUndo} .canRedo=${store.canRedo} .isReady=${session !== null} .isShared=${this.isShared}
+        .canUndo=${store.canUndo} .canRedo=${store.canRedo} .isReady=${session !== null} .views=${viewsOf(app.state).map(({ name, title }) => ({ name, title: title(voice), hasLines: true }))}
+        .link=${app.link ? this.#address : ''} .said=${this.said}
         .isPredicting=${predict !== null} .isDrawing=${app.isDrawing} .isPinned=${app.ink.isPinned}></shimmy-header>
       <main>
         <shimmy-stage .voice=${voice} .isReady=${session !== null} .isPlaying=${clock.isPlaying} .isStill=${app.isStill}
@@ -133,8 +139,14 @@ export class Page extends LitElement {
 
   /** @param {{ name: string, value: unknown }} command */
   #carryOut({ name, value }) {
-    if (name === 'share') {
-      this.#share();
+    if (name === 'out') {
+      this.#takeAlong(/** @type {import('./out/sheet.js').Wish} */ (value));
+      return;
+    }
+    if (name === 'openFile') {
+      const { link, said } = linkOfFile(/** @type {{ name: string, text: string }} */ (value), this.#app.voice);
+      this.said = said;
+      if (link) this.#app.openLink(link);
       return;
     }
     const wasOpen = this.#app.isDrawerOpen;
@@ -152,17 +164,19 @@ export class Page extends LitElement {
     keep({ link, language: state.language, theme: state.theme, velocityUnit: state.velocityUnit });
   }
 
-  async #share() {
+  /** The page's address with its state; of a file on this machine its name alone. */
+  get #address() {
+    const { protocol, origin, pathname } = location;
+    const place = protocol === 'file:' ? pathname.slice(pathname.lastIndexOf('/') + 1) : origin + pathname;
+    return place + this.#app.link;
+  }
+
+  /** @param {import('./out/sheet.js').Wish} wish */
+  async #takeAlong(wish) {
     this.#remember();
-    try {
-      await navigator.clipboard.writeText(location.href);
-      this.isShared = true;
-      setTimeout(() => { this.isShared = false; }, 2000);
-    } catch {
-      // Without a clipboard the address itself is shown, to be copied by hand.
-      this.#app.notes = [{ text: location.href, isAlert: false }];
-      this.requestUpdate();
-    }
+    this.said = '';
+    const material = materialOf(this.#app, wish, this, readTheme(this), this.#address);
+    if (material) this.said = await grant(wish, material, this.#app.voice);
   }
 
   /** @param {KeyboardEvent} event */

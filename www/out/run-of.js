@@ -1,7 +1,6 @@
 /**
  * The experiment of the page as a run that says everything itself: every parameter and every start, whatever the
- * defaults of a later version, and tolerances at which anybody's solver comes to the same numbers. It is the run from its
- * start, with the values as they are now and nothing done to it on the way.
+ * defaults of a later version, and tolerances at which anybody's solver comes to the same numbers.
  *
  * @typedef {import('../engine/engine.js').Model} Model
  * @typedef {Pick<import('../store.js').State, 'object' | 'parameters' | 'run'>} Experiment

@@ -6,7 +6,7 @@
  */
 
 import { roundLimit } from '../view/scale.js';
-import { limitsFor, magnificationFor, magnifications, stillFits } from './fit.js';
+import { limitsFor, magnificationFor, magnifications, spanFor, stillFits } from './fit.js';
 import { Ghosts } from './ghosts.js';
 import { followed, linksBrokenBy, withFollowers } from './links.js';
 import { LiveRun } from './live-run.js';
@@ -81,12 +81,19 @@ export class Session {
     return this.#live.recipe;
   }
 
-  /** The run since something was last done to it, as the engine's `simulate` takes it: to where the timeline ends. */
-  get sinceChange() {
-    const { parameters, changedAt, object } = this.#live;
-    const { time, ...states } = this.#live.history(changedAt, changedAt, 2);
+  /**
+   * The run since something was last done to it, to where the timeline ends: what is seen, as the engine's `simulate`
+   * takes it.
+   * @param {number} [least] how much of the run the timeline shows at least, in s
+   */
+  sinceChange(least) {
+    const { parameters, object, range, time } = this.#live;
+    const from = Math.max(this.#live.changedAt, range[0]);
+    const { time: _, ...states } = this.#live.history(from, from, 2);
     const initial = Object.fromEntries(Object.entries(states).map(([name, series]) => [name, series[0]]));
-    return { model: object, parameters: { ...parameters }, initial, from: time[0] };
+    const ahead = { ...this.outlook.envelope, time: this.outlook.envelope.time.map((at) => at + this.#lookedAt) };
+    const { to } = spanFor(ahead, time, range, least);
+    return { model: object, parameters: { ...parameters }, initial, duration: to - from };
   }
 
   /** The frequency of the motion now, or of where it goes. */

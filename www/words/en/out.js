@@ -5,7 +5,7 @@ export const out = {
   'out.link.does': 'The whole state of the page, to send to anybody',
   'out.link.copy': 'Copy link',
   'out.run': 'The run',
-  'out.run.does': 'From its start, with the values as they are now',
+  'out.run.does': 'Since the last change, to the end of the timeline',
   'out.csv': 'CSV',
   'out.csv.does': 'Every instant, for a spreadsheet',
   'out.json': 'JSON',

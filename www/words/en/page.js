@@ -5,8 +5,6 @@ export const page = {
 
   'header.undo': 'Undo',
   'header.redo': 'Redo',
-  'header.share': 'Copy link',
-  'header.shared': 'Link copied',
   'header.menu': 'Language, appearance, keys',
 
   'menu.language': 'Language',

@@ -5,7 +5,7 @@ export const out = {
   'out.link.does': 'Sayfanın bütün durumu, dilediğine göndermek için',
   'out.link.copy': 'Bağlantıyı kopyala',
   'out.run': 'Çalışma',
-  'out.run.does': 'Başından, şimdiki değerlerle',
+  'out.run.does': 'Son değişiklikten zaman çizelgesinin sonuna kadar',
   'out.csv': 'CSV',
   'out.csv.does': 'Her anı, hesap tablosu için',
   'out.json': 'JSON',

@@ -5,8 +5,6 @@ export const page = {
 
   'header.undo': 'Geri al',
   'header.redo': 'Yinele',
-  'header.share': 'Bağlantıyı kopyala',
-  'header.shared': 'Kopyalandı',
   'header.menu': 'Dil, görünüm, tuşlar',
 
   'menu.language': 'Dil',
