@@ -83,3 +83,27 @@ fn a_rattle_is_told_from_a_shimmy_by_taking_the_gap_away() {
     assert_eq!(shimmy.verdict, Verdict::Shimmies);
     assert!((shimmy.amplitude[0] - 0.235_77).abs() < 1e-5);
 }
+
+/// theory.md, section 3: computed independently, to half a unit of the last digit given.
+#[test]
+fn every_state_has_its_amplitude() {
+    let near = |outlook: &Outlook, state: usize, value: f64, digit: f64| {
+        let got = outlook.amplitude[state];
+        assert!((got - value).abs() < 0.6 * digit, "state {state}: {got} for {value}");
+    };
+    let strong = at_80(10.0, 0.05);
+    near(&strong, 0, 0.392_38, 1e-5);
+    near(&strong, 1, 124.89, 1e-2);
+    near(&strong, 2, 0.074_90, 1e-5);
+    let weak = at_80(30.0, 0.05);
+    near(&weak, 0, 0.206_32, 1e-5);
+    near(&weak, 1, 67.23, 1e-2);
+    let slow = gear(&[("velocity", 40.0), ("dampingConstant", 20.0)], 0.05);
+    near(&slow, 1, 100.65, 1e-2);
+    near(&slow, 2, 0.036_12, 1e-5);
+    // The orbit is one round of the same motion: its points lie within, and come near.
+    for (column, amplitude) in strong.orbit.states.iter().zip(&strong.amplitude) {
+        let most = column.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        assert!(most <= amplitude * (1.0 + 1e-12) && most > 0.999 * amplitude);
+    }
+}

@@ -85,7 +85,7 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Outl
         return Ok(resting(x));
     }
     let mut look = look_ahead(motion, posed.tables.description.state, horizon, posed.run.max_steps())?;
-    let (amplitude, frequency) = match &look.destination {
+    let (mut amplitude, frequency) = match &look.destination {
         Some(cycle) if !matches!(look.end, End::Stops) => (cycle.amplitude, Some(1.0 / cycle.period)),
         _ => (std::array::from_fn(|i| look.motion.state()[i].abs()), None),
     };
@@ -98,10 +98,14 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Outl
         End::Repeats => Verdict::Shimmies,
     };
     let (present_amplitude, present_frequency, trend) = present(&look, x[0]);
-    let orbit = match verdict {
-        Verdict::Shimmies | Verdict::Rattles => orbit(&mut look)?,
-        _ => Columns { time: Vec::new(), states: vec![Vec::new(); N] },
-    };
+    let mut orbit = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
+    if let (End::Repeats, Some(cycle)) = (&look.end, look.destination) {
+        let round = once_round(&mut look, cycle.period)?;
+        amplitude = std::array::from_fn(|i| amplitude[i].max(round.1[i]));
+        if verdict != Verdict::Grows {
+            orbit = round.0;
+        }
+    }
     let arrived = matches!(verdict, Verdict::Shimmies | Verdict::Rattles)
         && (present_amplitude / amplitude[0] - 1.0).abs() < 1e-3;
     Ok(Outlook {
@@ -187,20 +191,25 @@ fn envelope<S: Gear<N>, const N: usize>(look: &Look<S, N>, start: f64) -> Envelo
     envelope
 }
 
-/// One period from the last rise through zero.
-fn orbit<S: Gear<N>, const N: usize>(look: &mut Look<S, N>) -> Result<Columns> {
+/// One period from where the motion is, and the largest |·| of every state in it.
+fn once_round<S: Gear<N>, const N: usize>(look: &mut Look<S, N>, period: f64) -> Result<(Columns, [f64; N])> {
     let mut columns = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
-    let Some(last) = look.destination else { return Ok(columns) };
+    let mut amplitude = [0.0_f64; N];
     let start = look.motion.time();
     for point in 0..=ORBIT {
-        let t = start + last.period * point as f64 / ORBIT as f64;
+        let t = start + period * point as f64 / ORBIT as f64;
         while look.motion.time() < t {
             look.motion.step(f64::INFINITY).map_err(|failure| -> Error { failed(failure, start) })?;
+            for (component, amplitude) in amplitude.iter_mut().enumerate() {
+                if let Some((_, value)) = look.motion.turning_point(component) {
+                    *amplitude = amplitude.max(value.abs());
+                }
+            }
         }
         columns.time.push(t - start);
         for (column, value) in columns.states.iter_mut().zip(look.motion.interpolate(t)) {
             column.push(value);
         }
     }
-    Ok(columns)
+    Ok((columns, amplitude))
 }

@@ -12,6 +12,7 @@ pub(super) struct Cycle<const N: usize> {
     pub period: f64,
     pub low: f64,
     pub high: f64,
+    /// Largest |·|: of the first state where it turns, of the others where steps end.
     pub amplitude: [f64; N],
 }
 
@@ -49,16 +50,19 @@ impl<S: Gear<N>, const N: usize> Watch<S, N> {
     /// Takes a step, and gives the cycle that it completes.
     pub fn step(&mut self, end: f64) -> std::result::Result<Option<Cycle<N>>, Failure> {
         self.motion.step(end)?;
-        for component in 0..N {
-            let Some((t, value)) = self.motion.turning_point(component) else { continue };
-            if component == 0 && self.turns.len() < 4 {
+        if let Some((t, value)) = self.motion.turning_point(0) {
+            if self.turns.len() < 4 {
                 self.turns.push((t, value));
             }
             if let Some(cycle) = &mut self.open {
-                cycle.amplitude[component] = cycle.amplitude[component].max(value.abs());
-                if component == 0 {
-                    (cycle.low, cycle.high) = (cycle.low.min(value), cycle.high.max(value));
-                }
+                cycle.amplitude[0] = cycle.amplitude[0].max(value.abs());
+                (cycle.low, cycle.high) = (cycle.low.min(value), cycle.high.max(value));
+            }
+        }
+        // The turns of the other states would take as long again, a hundred cycles for one that counts.
+        if let Some(cycle) = &mut self.open {
+            for (amplitude, value) in cycle.amplitude.iter_mut().zip(self.motion.state()).skip(1) {
+                *amplitude = amplitude.max(value.abs());
             }
         }
         let Some(t) = self.motion.rise_through_zero(0) else { return Ok(None) };
