@@ -57,11 +57,14 @@ for (const [name, colorScheme, link] of scenes) {
 async function drawBoth() {
   const path = '/out/svg.js';
   const { svgOf } = /** @type {typeof import('../../www/out/svg.js')} */ (await import(path));
+  // Without it the drawings keep no bitmaps, in which words could not be left out.
+  const { OffscreenCanvas } = window;
+  Object.assign(window, { OffscreenCanvas: undefined });
   const both = document.body.appendChild(document.createElement('div'));
   both.id = 'both';
   both.style.cssText = 'position: fixed; inset: 0; z-index: 99; background: var(--surface)';
   const views = /** @type {import('../../www/view/canvas.js').Canvas[]} */ ([...document.querySelectorAll('shimmy-canvas')]);
-  return views.flatMap((view) => [{ view, hasWords: true }, { view, hasWords: false }]).map(({ view: { paint: all, size }, hasWords }) => {
+  const drawn = views.flatMap((view) => [{ view, hasWords: true }, { view, hasWords: false }]).map(({ view: { paint: all, size }, hasWords }) => {
     /** @type {import('../../www/view/canvas.js').Paint} */
     const paint = (context, within) => {
       if (!hasWords) Object.assign(context, { fillText() {}, strokeText() {} });
@@ -77,6 +80,8 @@ async function drawBoth() {
     const ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
     return { width, height, hasWords, svg: svgOf({ size: { width, height }, paint }, 'a view', ruler) };
   });
+  Object.assign(window, { OffscreenCanvas });
+  return drawn;
 }
 
 /** Shows the SVG in place of the first canvas that waits, or that canvas. @param {{ svg: string }} what */
