@@ -190,6 +190,7 @@ export class App {
     const holding = linksThatHold(engine, object, parameters);
     const change = { ...read.state, run, links: Object.fromEntries(Object.keys(holding).map((name) => [name, holding[name] && links[name] !== false])) };
     if (session) {
+      this.commands.release();
       leave(this);
       this.store.open(change);
     } else this.store.follow(change);

@@ -51,7 +51,7 @@ test('back to what you had is back to the instant, with the look of it', () => {
   const app = openedApp();
   tinker(app);
   app.run('pause');
-  app.run('view', { of: 'magnification', shows: '5' });
+  app.run('magnify', 5);
   const before = seen(app);
   for (const command of ['cure', 'linear']) app.run('open', command);
   app.run('next');
@@ -250,4 +250,14 @@ test('reset all ends the story', () => {
   app.run('resetAll');
   assert.equal(app.state.story, null);
   assert.equal(app.state.object, 'torsional');
+});
+
+test('a hand lets go of the wheel before a story opens', () => {
+  const app = openedApp();
+  app.run('hold', 0.2);
+  assert.ok(sessionOf(app).isHeld);
+  app.run('open', 'cure');
+  assert.ok(!sessionOf(app).isHeld);
+  app.run('comeBack');
+  assert.ok(Math.abs(sessionOf(app).scene(wanted).state[0] - 0.2) < 1e-12, 'and what it held comes back');
 });

@@ -1,5 +1,7 @@
 /** What takes the run elsewhere: a hand on the wheel lets go of it first. */
-export const handsOff = new Set(['on', 'back', 'seek', 'start', 'kick', 'rest', 'undo', 'redo', 'resetAll', 'pin']);
+export const handsOff = new Set([
+  'on', 'back', 'seek', 'start', 'kick', 'rest', 'undo', 'redo', 'resetAll', 'pin', 'open', 'next', 'previous', 'comeBack', 'object',
+]);
 
 /**
  * Commands of the clock and of the hand on the wheel.
