@@ -93,11 +93,11 @@ test('titles read as a person would write them', () => {
   ]);
   assert.deepEqual(told('figure-6.18'), [
     'Figure 6.18: Lateral tire deformation with freeplay 0.5°, v = 50 m/s, c = 100, ψ(0) = 0.1; y over time',
-    'Şekil 6.18: Lastiğin yanal şekil değiştirmesi, 0,5° boşlukla, v = 50 m/s, c = 100, ψ(0) = 0,1; zamana karşı y',
+    'Şekil 6.18: Lastiğin yanal şekil değişimi, 0,5° boşlukla, v = 50 m/s, c = 100, ψ(0) = 0,1; zamana karşı y',
   ]);
   assert.deepEqual(told('table-6.4'), [
     'Table 6.4: Effect of freeplay on the lateral deformation, ψ(0) = 0.1; ',
-    'Tablo 6.4: Boşluğun yanal şekil değiştirmeye etkisi, ψ(0) = 0,1; ',
+    'Tablo 6.4: Boşluğun yanal şekil değişimine etkisi, ψ(0) = 0,1; ',
   ]);
 });
 

@@ -23,7 +23,7 @@ export const presets = {
   'preset.limit-cycle': 'Limit çevrim',
   'preset.limit-cycle.tells': 'Salınım belli bir genliğe büyür ve orada kalır.',
   'preset.limit-cycle.1': 'Salınım {swing}’ye büyüyor ve {beat} ile, çevrim çevrim orada kalıyor: bu bir limit çevrim.',
-  'preset.limit-cycle.2': 'Lastiğin şekil değiştirmesiyle birlikte çevrim, uzayda bir halka. Tut ve döndür.',
+  'preset.limit-cycle.2': 'Lastiğin şekil değişimiyle birlikte çevrim, uzayda bir halka. Tut ve döndür.',
   'preset.limit-cycle.3': 'Oraya varınca lastik her çevrimde tam sönümleyici ile sırtın aldığı kadar enerji veriyor.',
   'preset.limit-cycle.4': 'Sönüm yarıya inince çevrim genişliyor: {ghostSwing} yerine {swing}.',
 
