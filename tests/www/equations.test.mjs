@@ -36,7 +36,8 @@ test('every parameter of every model has a meaning in both languages', () => {
       assert.equal(docOf(parameter, 'en'), parameter.doc);
       assert.ok(docs[parameter.name]?.length > 20, `no Turkish for ${parameter.name}`);
       assert.equal(docOf(parameter, 'tr'), docs[parameter.name]);
-      // What is valid is said in both.
+      // Whose it is, which formula it enters and what is valid is said in both.
+      for (const what of [/\((Somieski|Atabay) \d+/, /ẏ|ψ̇|F_z|I_z|s\(ψ\)/]) assert.equal(docs[parameter.name].match(what)?.[0], parameter.doc.match(what)?.[0], parameter.name);
       assert.equal(/> 0/.test(parameter.doc), /0’dan büyük/.test(docs[parameter.name]), parameter.name);
       assert.equal(/≥ 0/.test(parameter.doc), /0 ve üstündeki/.test(docs[parameter.name]), parameter.name);
     }
