@@ -64,8 +64,9 @@ function drawRun(context, box, { scene: { run, time }, moment: [from, to], curso
   context.font = textFont(theme, 0.9);
   context.fillStyle = theme.ink2;
   context.textBaseline = 'middle';
+  context.textAlign = 'right';
+  context.fillText(voice.say('timeline.run'), box.left - theme.size * 0.7, (box.top + box.bottom) / 2);
   context.textAlign = 'left';
-  context.fillText(voice.say('timeline.run'), theme.size * 1.1, (box.top + box.bottom) / 2);
   context.fillText(`${voice.number(run.to, run.to < 10 ? 1 : 0)} s`, box.right + theme.size * 0.5, (box.top + box.bottom) / 2);
   // What cursors read stands in the same corner.
   if (!hasWords || isVeiled || cursors.length > 0) return;

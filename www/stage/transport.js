@@ -6,7 +6,7 @@ import './rate-choice.js';
 /** @typedef {import('../words/voice.js').Voice} Voice */
 
 /** What is said, from much room to little: see style/clock.css. */
-const rooms = ['all', 'short', 'bare', 'none'];
+const rooms = ['all', 'short', 'bare', 'few', 'none'];
 
 /**
  * Play, pause, step, back to the start, how fast time goes and what that is called, a kick, a ghost. Tells the command
@@ -95,7 +95,8 @@ export class Transport extends LitElement {
     if (!scale) return;
     for (const room of rooms) {
       this.dataset.room = room;
-      if (scale.clientWidth > 0 && scale.scrollWidth <= scale.clientWidth) return;
+      // Two lines at most, where the words may break.
+      if (scale.clientWidth > 0 && scale.scrollWidth <= scale.clientWidth && scale.clientHeight < 0.75 * this.clientHeight) return;
     }
   }
 

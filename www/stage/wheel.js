@@ -8,7 +8,7 @@ const degrees = 180 / Math.PI;
 
 /**
  * The wheel for the keyboard and for screen readers: a slider without a picture of its own, laid over the drawn wheel.
- * ← and → twist it, Enter, Escape and leaving it let go. Commands: `hold` with ψ in rad, `release`.
+ * ← and → twist it, Enter, Escape and leaving it let go. Commands: `hold` with ψ in rad, `release`, `toggle`.
  */
 export class Wheel extends LitElement {
   static properties = {
@@ -54,15 +54,18 @@ export class Wheel extends LitElement {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
+    if (event.altKey || event.ctrlKey || event.metaKey) return;
     const turn = turnOfKey(event);
-    const letsGo = this.isHeld && (event.key === 'Enter' || event.key === 'Escape');
-    if ((!turn && !letsGo) || event.altKey || event.ctrlKey || event.metaKey) return;
+    if (turn) this.#turn(turn);
+    else if (this.isHeld && (event.key === 'Enter' || event.key === 'Escape')) tell(this, 'release');
+    else if (event.key === ' ') tell(this, 'toggle');
+    else return;
     event.preventDefault();
     event.stopPropagation();
-    if (letsGo) {
-      tell(this, 'release');
-      return;
-    }
+  }
+
+  /** @param {number} turn in rad */
+  #turn(turn) {
     const from = this.isHeld ? this.#twist : this.angleNow();
     this.#twist = Math.min(Math.max(from + turn, -this.farthest), this.farthest);
     tell(this, 'hold', this.#twist);

@@ -92,16 +92,18 @@ export function widthOfReading(context, words, theme) {
 export function writeReading(context, words, box, theme, { isSmall }) {
   const width = widthOfReading(context, words, theme) + theme.size;
   const scale = Math.min(1, (box.right - box.left) / width);
+  // Where another lane is above, its edge is covered rather than what is read.
+  const top = box.top > 2 * theme.size ? box.top - theme.size * 1.7 : box.top;
   if (isSmall) {
     context.globalAlpha = 0.92;
     context.fillStyle = theme.surface;
-    context.fillRect(box.right - scale * width, box.top, scale * width, theme.size * 1.6);
+    context.fillRect(box.right - scale * width, top, scale * width, theme.size * 1.6);
     context.globalAlpha = 1;
   }
   context.font = textFont(theme, scale, 600);
   context.textAlign = 'right';
   context.textBaseline = 'alphabetic';
   context.fillStyle = theme.ink;
-  if (isSmall) context.fillText(words, box.right - theme.size / 2, box.top + theme.size * 1.1);
+  if (isSmall) context.fillText(words, box.right - theme.size / 2, top + theme.size * 1.1);
   else context.fillText(words, box.right, box.top - theme.size * 0.65);
 }

@@ -61,6 +61,7 @@ export function drawGear(ctx, size, scene, theme, words, { cache = true } = {}) 
     width: size.width - 12,
     height: sheet.band.bottom - sheet.band.top - 4,
   });
+  if (scene.layout === 'phone') placer.blockBox(pagerOn(size));
   const desk = { ctx, sheet, scene, pose, theme, words, placer };
 
   ctx.fillStyle = theme.page;
@@ -71,6 +72,9 @@ export function drawGear(ctx, size, scene, theme, words, { cache = true } = {}) 
   if (isFan) drawTopFan(desk);
   else drawTop(desk);
 }
+
+/** Where the page lays its two dots over the one view that it shows, as style/gear.css has them. @param {Size} size */
+const pagerOn = ({ width, height }) => ({ x: width / 2 - 36, y: height - 24, width: 72, height: 24 });
 
 /** How much of the track the sheet shows behind the axis [m]. @param {Desk} desk */
 const trackSeen = ({ sheet, pose }) => 1.1 * (sheet.axis.x / sheet.scale + pose.half);
