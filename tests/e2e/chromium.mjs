@@ -13,12 +13,14 @@ export function launch() {
 }
 
 /**
- * Opens an address in a fresh profile.
+ * Opens an address in a fresh profile, the only one of this browser: a visit that a failed test did not end would go on
+ * drawing and slow down the next.
  * @param {import('playwright-core').Browser} browser
  * @param {string} address
  * @param {Options} [options]
  */
 export async function open(browser, address, options = {}) {
+  for (const left of browser.contexts()) await left.close();
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en-US', ...options });
   const page = await context.newPage();
   /** @type {string[]} */
