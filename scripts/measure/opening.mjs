@@ -23,7 +23,7 @@ async function visitTwice(browser, address) {
 
 /** @param {import('playwright-core').Page} page @returns {Promise<number>} ms */
 async function untilMoving(page) {
-  await page.waitForFunction('window.shimmyProbe.movingAt !== null', null, { timeout: 20_000 });
+  await page.waitForFunction(() => /** @type {any} */ (window).shimmyProbe.movingAt !== null, null, { timeout: 20_000 });
   return /** @type {number} */ (await ask(page, (probe) => probe.movingAt));
 }
 
