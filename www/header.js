@@ -2,6 +2,7 @@ import { LitElement, html } from 'lit';
 import { tell } from './command.js';
 import { otherKeys, shortcuts } from './keys.js';
 import { objectChooser } from './object/chooser.js';
+import { pythonModel } from './out/python/model.js';
 import './out/sheet.js';
 import './present/actions.js';
 import './story/search-field.js';
@@ -93,7 +94,7 @@ export class Header extends LitElement {
       ${button('header.redo', '↷', this.canRedo, 'redo')}
       <shimmy-actions .voice=${voice} .isReady=${this.isReady} .isPredicting=${this.isPredicting} .isDrawing=${this.isDrawing}
         .isPinned=${this.isPinned}></shimmy-actions>
-      <shimmy-out-sheet .voice=${voice} .isReady=${this.isReady} .views=${this.views} .link=${this.link} .said=${this.said}></shimmy-out-sheet>
+      <shimmy-out-sheet .voice=${voice} .isReady=${this.isReady} .views=${this.views} .link=${this.link} .hasPython=${pythonModel(this.object) !== null} .said=${this.said}></shimmy-out-sheet>
       <details class="menu" @keydown=${this.#key}>
         <summary class="plain icon" title=${voice.say('header.menu')} aria-label=${voice.say('header.menu')}>⋯</summary>
         <div class="menu-sheet">
