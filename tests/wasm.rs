@@ -87,6 +87,29 @@ fn foresees_the_cycle() {
 }
 
 #[wasm_bindgen_test]
+fn answers_what_is_asked_beside_a_run() {
+    let theory = wasm::routh_hurwitz(js(SHIMMY)).expect("the run is good");
+    assert!((number(&theory, "criticalDamping") - 48.530).abs() < 5e-4);
+    let damping = js("({parameter: 'dampingConstant', from: 0, to: 200})");
+    let parts: Array = wasm::unstable_intervals(js(SHIMMY), damping).expect("the range is good").unchecked_into();
+    assert_eq!(number(&parts.get(0), "to"), number(&theory, "criticalDamping"));
+
+    let energy = wasm::energy(js(SHIMMY)).expect("the run is good");
+    let out = number(&energy, "damper") + number(&energy, "treadWidth") + number(&energy, "stored");
+    assert!((number(&energy, "tire") / out - 1.0).abs() < 1e-7);
+
+    let forces = wasm::forces(js(SHIMMY), js("[0.01, 0, 0.003]")).expect("the state is good");
+    assert!((number(&forces, "springTorque") + 1000.0).abs() < 1e-9);
+    let laws = wasm::force_laws(js(SHIMMY), JsValue::UNDEFINED).expect("the run is good");
+    assert!(series(&laws, "slipAngle").contains(&number(&laws, "kinks.sideForceLimitAngle")));
+
+    let wave = js("({values: Array.from({length: 64}, (_, i) => Math.sin(i * Math.PI / 4)), interval: 0.01})");
+    let spectrum = wasm::spectrum(wave).expect("the series is good");
+    assert!((number(&spectrum, "peak.frequency") - 12.5).abs() < 1e-9);
+    assert_eq!(wasm::atlas().expect("it is JSON").unchecked_into::<Array>().length(), 283);
+}
+
+#[wasm_bindgen_test]
 fn a_refusal_is_an_error_with_data() {
     let error = wasm::simulate(js("({model: 'torsional', parameters: {velocity: -3}})")).expect_err("no gear rolls so");
     assert!(error.is_instance_of::<js_sys::Error>());

@@ -1,9 +1,12 @@
 //! The torsional nose landing gear on a stretched-string tire.
 
+mod tables;
+
 use std::ops::Mul;
 
 use serde::Serialize;
 
+pub(super) use self::tables::{PARAMETERS, STATE};
 use super::{Gear, Mode, Model, System, laws::Laws};
 use crate::{
     element::{
@@ -11,7 +14,7 @@ use crate::{
         freeplay::Spring,
         tire_law::{PiecewiseTireLaw, SteeringMoment, TireLaw},
     },
-    parameter::{Parameter, Scale, StateVariable, Validity},
+    parameter::{Parameter, StateVariable},
     real::Real,
     stability::{Polynomial, TorsionalTheory},
 };
@@ -250,184 +253,3 @@ pub struct LinkedParameters {
     /// κ = 0.15 a² c_Fα F_z \[N m²/rad\].
     pub tread_width_moment_constant: f64,
 }
-
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-
-/// The parameter table. The linear gear takes the entries that it has from here.
-pub(super) const PARAMETERS: [Parameter; 14] = [
-    Parameter {
-        name: "velocity",
-        symbol: "v",
-        unit: "m/s",
-        default: 50.0,
-        min: 1.0,
-        max: 120.0,
-        scale: Scale::Linear,
-        doc: "Taxiing velocity, constant during a run. It enters ẏ = vψ + (e − a)ψ̇ − (v/σ)y, and the tread's damping as κ/v (Somieski 1997). Any value > 0 is valid.",
-        validity: Validity::Positive,
-    },
-    Parameter {
-        name: "casterLength",
-        symbol: "e",
-        unit: "m",
-        default: 0.1,
-        min: -0.5,
-        max: 0.5,
-        scale: Scale::Linear,
-        doc: "Caster length (mechanical trail), positive when the contact centre trails the steering axis. It is the lever of the side force, −e F_y, and enters ẏ as (e − a)ψ̇ (Somieski 1997). Any finite value is valid.",
-        validity: Validity::Finite,
-    },
-    Parameter {
-        name: "halfContactLength",
-        symbol: "a",
-        unit: "m",
-        default: 0.1,
-        min: 0.01,
-        max: 0.3,
-        scale: Scale::Linear,
-        doc: "Half of the length over which the tire touches the ground. It enters ẏ as (e − a)ψ̇ (Somieski 1997). Any value > 0 is valid.",
-        validity: Validity::Positive,
-    },
-    Parameter {
-        name: "relaxationLength",
-        symbol: "σ",
-        unit: "m",
-        default: 0.3,
-        min: 0.02,
-        max: 1.0,
-        scale: Scale::Linear,
-        doc: "Relaxation length of the tire, over which its deformation fades: −(v/σ)y in ẏ, and the slip angle α = arctan(y/σ), in the linear gear y/σ (Somieski 1997; 3a in his data). Any value > 0 is valid.",
-        validity: Validity::Positive,
-    },
-    Parameter {
-        name: "momentOfInertia",
-        symbol: "I_z",
-        unit: "kg m²",
-        default: 1.0,
-        min: 0.1,
-        max: 10.0,
-        scale: Scale::Log,
-        doc: "Moment of inertia about the steering axis: I_z ψ̈ is the sum of all moments (Somieski 1997). Any value > 0 is valid.",
-        validity: Validity::Positive,
-    },
-    Parameter {
-        name: "torsionalStiffness",
-        symbol: "k",
-        unit: "N m/rad",
-        default: 100_000.0,
-        min: 0.0,
-        max: 300_000.0,
-        scale: Scale::Linear,
-        doc: "Torsional stiffness, positive when it turns the wheel back: the moment −k s(ψ), with s = ψ where there is no gap (Somieski 1997, who writes c). Any value ≥ 0 is valid.",
-        validity: Validity::NonNegative,
-    },
-    Parameter {
-        name: "dampingConstant",
-        symbol: "c",
-        unit: "N m s/rad",
-        default: 10.0,
-        min: 0.0,
-        max: 200.0,
-        scale: Scale::Linear,
-        doc: "Torsional damping constant, positive when it takes energy out: the moment −cψ̇ (Somieski 1997, who writes k). Any value ≥ 0 is valid.",
-        validity: Validity::NonNegative,
-    },
-    Parameter {
-        name: "verticalForce",
-        symbol: "F_z",
-        unit: "N",
-        default: 9000.0,
-        min: 0.0,
-        max: 50_000.0,
-        scale: Scale::Linear,
-        doc: "Vertical force F_z on the wheel: side force and aligning moment are proportional to it (Somieski 1997). Any value ≥ 0 is valid.",
-        validity: Validity::NonNegative,
-    },
-    Parameter {
-        name: "sideForceDerivative",
-        symbol: "c_Fα",
-        unit: "1/rad",
-        default: 20.0,
-        min: 1.0,
-        max: 50.0,
-        scale: Scale::Linear,
-        doc: "Slope of the side force at small slip angle, per unit of vertical force: F_y = c_Fα F_z α, up to the limit angle δ where there is one (Somieski 1997). Any value ≥ 0 is valid.",
-        validity: Validity::NonNegative,
-    },
-    Parameter {
-        name: "aligningMomentDerivative",
-        symbol: "c_Mα",
-        unit: "m/rad",
-        default: 2.0,
-        min: 0.0,
-        max: 5.0,
-        scale: Scale::Linear,
-        doc: "Slope of the aligning moment at small slip angle, per unit of vertical force: M_z = −c_Mα F_z α there (Somieski 1997). Any value ≥ 0 is valid.",
-        validity: Validity::NonNegative,
-    },
-    Parameter {
-        name: "sideForceLimitAngle",
-        symbol: "δ",
-        unit: "rad",
-        default: 5.0 * DEGREE,
-        min: DEGREE,
-        max: 15.0 * DEGREE,
-        scale: Scale::Linear,
-        doc: "Slip angle at which the side force stops growing: F_y = ±c_Fα F_z δ beyond (Somieski 1997). Any value > 0 is valid; from 90° on it is never reached.",
-        validity: Validity::Positive,
-    },
-    Parameter {
-        name: "aligningMomentLimitAngle",
-        symbol: "α_g",
-        unit: "rad",
-        default: 10.0 * DEGREE,
-        min: 2.0 * DEGREE,
-        max: 30.0 * DEGREE,
-        scale: Scale::Linear,
-        doc: "Slip angle beyond which there is no aligning moment: M_z = −c_Mα F_z (α_g/π) sin(πα/α_g) within (Somieski 1997). Any value > 0 is valid; from 90° on it is never reached.",
-        validity: Validity::Positive,
-    },
-    Parameter {
-        name: "treadWidthMomentConstant",
-        symbol: "κ",
-        unit: "N m²/rad",
-        default: 270.0,
-        min: 0.0,
-        max: 2000.0,
-        scale: Scale::Linear,
-        doc: "Damping by the width of the tread: the moment −(κ/v)ψ̇ (Somieski 1997; κ = 0.15 a² c_Fα F_z in his data). Any value ≥ 0 is valid.",
-        validity: Validity::NonNegative,
-    },
-    Parameter {
-        name: "freeplayAngle",
-        symbol: "ψ_fp",
-        unit: "rad",
-        default: 0.0,
-        min: 0.0,
-        max: 3.0 * DEGREE,
-        scale: Scale::Linear,
-        doc: "Freeplay, half of the gap in which the spring does not act: s(ψ) = ψ − ψ_fp sign ψ beyond ±ψ_fp, 0 within (Atabay 2012, ch. 6). Any value ≥ 0 is valid.",
-        validity: Validity::NonNegative,
-    },
-];
-
-/// The state table, which the linear gear shares.
-pub(super) const STATE: [StateVariable; 3] = [
-    StateVariable {
-        name: "torsionAngle",
-        symbol: "ψ",
-        unit: "rad",
-        scale: 0.1,
-        doc: "Torsion angle of the wheel about the steering axis, positive counter-clockwise from above.",
-    },
-    StateVariable {
-        name: "torsionRate", symbol: "ψ̇", unit: "rad/s", scale: 30.0, doc: "Rate of the torsion angle."
-    },
-    StateVariable {
-        name: "lateralDeformation",
-        symbol: "y",
-        unit: "m",
-        scale: 0.02,
-        doc: "Lateral deformation of the leading contact point of the tire, positive to the left of the wheel plane.",
-    },
-];
