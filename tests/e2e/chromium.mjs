@@ -18,8 +18,9 @@ export function launch() {
  * @param {import('playwright-core').Browser} browser
  * @param {string} address
  * @param {Options} [options]
+ * @param {(page: Page) => Promise<void>} [prepare] before the address is opened
  */
-export async function open(browser, address, options = {}) {
+export async function open(browser, address, options = {}, prepare = async () => {}) {
   for (const left of browser.contexts()) await left.close();
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en-US', ...options });
   const page = await context.newPage();
@@ -32,6 +33,7 @@ export async function open(browser, address, options = {}) {
   });
   page.on('pageerror', (error) => complaints.push(error.message));
   page.on('request', (request) => requests.push(request.url()));
+  await prepare(page);
   await page.goto(address);
   const base = new URL('.', address).href;
   return {

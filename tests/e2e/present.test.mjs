@@ -26,10 +26,10 @@ after(async () => {
 
 /** The page under a clock that the test winds, from its first frames on. */
 async function openWound() {
-  const { page, leave } = await open(browser, `${server.address}licenses.txt`);
-  await page.clock.install({ time: 0 });
-  await page.clock.pauseAt(1000);
-  await page.goto(server.address);
+  const { page, leave } = await open(browser, server.address, {}, async ({ clock }) => {
+    await clock.install({ time: 0 });
+    await clock.pauseAt(1000);
+  });
   for (let i = 0; i < 600 && !(await page.locator('h1[data-verdict]').count()); i++) {
     await page.waitForTimeout(5);
     await page.clock.runFor(16);
@@ -63,8 +63,8 @@ function inked(page, view) {
   }, view);
 }
 
-const gear = '.gear > shimmy-canvas';
-const plot = '#lens-panel > shimmy-canvas';
+const gear = 'shimmy-gear > shimmy-canvas';
+const plot = '#lens-panel .plot > shimmy-canvas';
 
 /** Draws with the mouse. @param {Page} page @param {string} view @param {[number, number][]} way as shares of the view */
 async function draw(page, view, way) {
@@ -253,7 +253,7 @@ test('what a pen draws stays with its view, is taken back stroke by stroke, and 
   await page.waitForTimeout(200);
   assert.equal(await inked(page, plot), 0);
   assert.ok((await inked(page, gear)) > 500);
-  await show('');
+  await show('portrait');
   await page.waitForTimeout(200);
   assert.equal(await inked(page, plot), one);
 
@@ -301,7 +301,7 @@ test('one finger draws, two move the page; without a pen in hand the sheet lets 
   await page.locator('.menu summary').click();
   await page.locator('.menu-sheet').getByRole('button', { name: 'Pen' }).click();
   await page.locator('.menu summary').click();
-  const style = () => page.locator('.gear shimmy-pen-layer').evaluate((layer) => [getComputedStyle(layer).pointerEvents, getComputedStyle(layer).touchAction]);
+  const style = () => page.locator('shimmy-gear shimmy-pen-layer').evaluate((layer) => [getComputedStyle(layer).pointerEvents, getComputedStyle(layer).touchAction]);
   assert.deepEqual(await style(), ['auto', 'pinch-zoom']);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390, 'wider than the screen');
   const small = await page.locator('shimmy-header button:visible').evaluateAll((buttons) => buttons.map((button) => button.getBoundingClientRect())

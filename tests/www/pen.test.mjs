@@ -4,12 +4,11 @@ import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { drawStrokes } from '../../www/present/draw-strokes.js';
 import { Ink } from '../../www/present/ink.js';
-import { isShown, pictureOf } from '../../www/present/pen-views.js';
+import { pictureOf } from '../../www/present/pen-views.js';
 import { dotsOf } from '../../www/present/stroke.js';
 
 const size = { width: 800, height: 400 };
 const even = (/** @type {number} */ x, /** @type {number} */ y) => ({ x, y, pressure: 0.5 });
-const shown = (/** @type {string} */ lens, views = {}) => (/** @type {string} */ view) => isShown(view, { lens, views });
 
 test('a stroke goes from its first point to its last, along the sides of its corners', () => {
   const dots = dotsOf([even(0.1, 0.5), even(0.5, 0.5), even(0.5, 0.9)], size, 1);
@@ -76,20 +75,20 @@ test('a stroke stays with its view, and undo and clear take what is seen', () =>
   ink.add('phase.spectrum', [even(0.3, 0.3)]);
   ink.add('phase', []);
   assert.deepEqual(ink.strokes.map(({ view }) => view), ['gear', 'phase', 'phase.spectrum']);
-  ink.undo(shown('phase'));
+  ink.shown = ['phase', 'gear'];
+  ink.undo();
   assert.deepEqual(ink.strokes.map(({ view }) => view), ['gear', 'phase.spectrum'], 'the last that is seen, not the last');
   assert.deepEqual(ink.of('phase.spectrum').map(({ points }) => points[0].x), [0.3]);
-  ink.clear(shown('forces'));
+  ink.shown = ['forces', 'gear'];
+  ink.clear();
   assert.deepEqual(ink.strokes.map(({ view }) => view), ['phase.spectrum']);
-  ink.undo(shown('forces'));
+  ink.undo();
   assert.equal(ink.strokes.length, 1);
 });
 
-test('a lens with several pictures has a name for each', () => {
-  const state = { lens: 'forces', views: { forces: 'moment', phase: 'orbit' } };
-  assert.deepEqual([0, 1].map((i) => pictureOf(state, i)), ['forces.moment', 'forces.moment#1']);
-  for (const [view, isSeen] of /** @type {const} */ ([['gear', true], ['forces.moment', true], ['forces.moment#1', true], ['forces', false], ['phase.orbit', false]]))
-    assert.equal(isShown(view, state), isSeen, view);
+test('each picture of a lens has a name of its own', () => {
+  const names = [pictureOf('phase', 'portrait', 0), pictureOf('phase', 'orbit', 0), pictureOf('forces', 'laws', 0), pictureOf('forces', 'laws', 1), pictureOf('compare', '', 0), pictureOf('compare', '', 2)];
+  assert.deepEqual(names, ['phase.portrait', 'phase.orbit', 'forces.laws', 'forces.laws.1', 'compare', 'compare.2']);
 });
 
 test('while the run goes on ink fades away, unless it is pinned', () => {

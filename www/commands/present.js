@@ -1,5 +1,4 @@
 import { outcomeOf } from '../present/outcome.js';
-import { isShown } from '../present/pen-views.js';
 
 /**
  * What stands for a command while the future is veiled: to play is to reveal, and time is not moved.
@@ -21,7 +20,6 @@ export function carriedOut(name, isVeiled) {
  */
 export function presentCommands(app) {
   const { clock, store, ink } = app;
-  const isSeen = (/** @type {string} */ view) => isShown(view, store.state);
   /** Whether the run went on before it was frozen to be predicted. */
   let wasPlaying = false;
   const ask = () => {
@@ -60,8 +58,8 @@ export function presentCommands(app) {
     },
     /** @param {{ view: string, points: import('../present/stroke.js').Point[] }} stroke */
     penStroke: ({ view, points }) => ink.add(view, points),
-    penUndo: () => ink.undo(isSeen),
-    penClear: () => ink.clear(isSeen),
+    penUndo: () => ink.undo(),
+    penClear: () => ink.clear(),
     penPin: () => {
       ink.isPinned = !ink.isPinned;
     },

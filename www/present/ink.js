@@ -13,6 +13,7 @@ const fading = 1.5;
 export class Ink {
   /** Whether ink stays though the run goes on. */
   isPinned = false;
+  /** The views that are on the screen. @type {readonly string[]} */ shown = [];
   /** @type {readonly Stroke[]} */ #strokes = [];
   #watch = new Stopwatch();
 
@@ -31,15 +32,15 @@ export class Ink {
     if (points.length > 0) this.#strokes = [...this.#strokes, { view, points, strength: 1 }];
   }
 
-  /** Takes back the last stroke of those that are seen. @param {(view: string) => boolean} isSeen */
-  undo(isSeen) {
-    const last = this.#strokes.findLastIndex(({ view }) => isSeen(view));
+  /** Takes back the last stroke of those that are seen. */
+  undo() {
+    const last = this.#strokes.findLastIndex(({ view }) => this.shown.includes(view));
     if (last >= 0) this.#strokes = this.#strokes.filter((_, i) => i !== last);
   }
 
-  /** Takes back all strokes that are seen. @param {(view: string) => boolean} isSeen */
-  clear(isSeen) {
-    this.#strokes = this.#strokes.filter(({ view }) => !isSeen(view));
+  /** Takes back all strokes that are seen. */
+  clear() {
+    this.#strokes = this.#strokes.filter(({ view }) => !this.shown.includes(view));
   }
 
   /**

@@ -38,6 +38,8 @@ export class PenLayer extends Canvas {
   connectedCallback() {
     super.connectedCallback();
     this.addEventListener('pointerdown', (event) => this.#begin(event));
+    // The gear below keeps a finger on its wheel from moving the page, two of them too.
+    this.addEventListener('touchstart', (event) => event.stopPropagation(), { passive: true });
     this.addEventListener('pointermove', (event) => this.#go(event));
     this.addEventListener('pointerup', (event) => this.#end(event));
     this.addEventListener('pointercancel', () => this.#drop());

@@ -4,16 +4,22 @@ import './pen-layer.js';
 /** @typedef {import('./pen-layer.js').PenLayer} PenLayer */
 
 /**
- * Lays sheets over the views as far as they are needed, and shows on them what was drawn.
+ * Lays sheets over the views as far as they are needed, shows on them what was drawn, and has the page know which views
+ * are on the screen.
  * @param {HTMLElement} host the element in which stage and lens are
  * @param {Pick<import('../app.js').App, 'ink' | 'isDrawing' | 'state'>} app
  * @param {import('../style/theme.js').Theme} theme
  */
 export function showInk(host, { ink, isDrawing, state }, theme) {
   if (!isDrawing && ink.strokes.length === 0 && !host.querySelector('shimmy-pen-layer')) return;
-  const wheel = host.querySelector('.gear > shimmy-canvas');
-  if (wheel) layerOf(wheel).show(gear, ink.strokes, theme);
-  host.querySelectorAll('#lens-panel shimmy-canvas').forEach((picture, i) => layerOf(picture).show(pictureOf(state, i), ink.strokes, theme));
+  const lens = /** @type {(HTMLElement & { view?: string }) | null} */ (host.querySelector('#lens-panel'));
+  const wheel = host.querySelector('shimmy-gear > shimmy-canvas');
+  const pictures = [...(lens?.querySelectorAll('shimmy-canvas') ?? [])];
+  /** @type {[string, Element][]} */
+  const shown = pictures.map((picture, i) => [pictureOf(state.lens, lens?.view ?? '', i), picture]);
+  if (wheel) shown.push([gear, wheel]);
+  for (const [view, picture] of shown) layerOf(picture).show(view, ink.strokes, theme);
+  ink.shown = shown.map(([view]) => view);
 }
 
 /** What was drawn over a picture, to be drawn over it elsewhere; null where there is no sheet. @param {Element} picture */

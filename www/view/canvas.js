@@ -40,8 +40,8 @@ export class Canvas extends LitElement {
   }
 
   firstUpdated() {
+    // Its size comes from the observer, with the layout that is made anyway: to ask for it here would make one more.
     this.#context = this.querySelector('canvas')?.getContext('2d') ?? null;
-    this.#resize();
   }
 
   redraw() {

@@ -8,7 +8,7 @@ export const present = {
   'predict.name': 'Tahmin et, sonra göster',
   'predict.veiled': 'Gösterilene dek gizli',
   'predict.ask': 'Bir değeri değiştir: salınım ne olur?',
-  'predict.rule': 'Sürer: kalıcıdır, şimdikinden en çok %10 geniş.',
+  'predict.rule': 'Sürer: kalıcıdır, en çok %10 genişler.',
   'predict.guess': 'Tahminin',
   'predict.dies-out': 'söner',
   'predict.holds': 'sürer',
