@@ -1,6 +1,8 @@
 // The knobs: what their tracks tell, what follows what, what a name opens, and the units they speak in.
 
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { knob, launch, open, type, untilVerdict } from './chromium.mjs';
 import { serve } from './site.mjs';
@@ -323,3 +325,22 @@ test('a knob breathes once, and not where motion is reduced', async () => {
     await leave();
   }
 });
+
+for (const [width, height, colorScheme] of /** @type {const} */ ([[1440, 900, 'light'], [390, 844, 'dark']]))
+  test(`axe-core finds nothing in knobs, drawer and meaning at ${width} × ${height}, ${colorScheme}`, async () => {
+    const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+    const { page, leave } = await open(browser, server.address, { viewport: { width, height }, colorScheme });
+    await untilVerdict(page, 'It shimmies');
+    await page.evaluate(axe);
+    const violations = (/** @type {string[]} */ ...include) => page.evaluate(async (within) => {
+      const found = await /** @type {any} */ (window).axe.run({ include: within });
+      return found.violations.flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ { target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
+    }, include);
+    await openDrawer(page);
+    await placed(page, 'halfContactLength', 'drawer').locator('.chain').first().click();
+    assert.deepEqual(await violations('shimmy-dock', 'shimmy-drawer'), []);
+    await placed(page, 'halfContactLength', 'drawer').locator('.name').click();
+    await page.locator('shimmy-explanation').waitFor();
+    assert.deepEqual(await violations('shimmy-explanation'), []);
+    await leave();
+  });
