@@ -145,7 +145,7 @@ test('the clock pauses, steps, scrubs back and starts anew', async () => {
   const time = async () => Number(await page.getByRole('slider', { name: 'Time' }).getAttribute('aria-valuenow'));
   await page.waitForTimeout(900);
   await page.keyboard.press(' ');
-  await page.getByRole('button', { name: 'Play' }).waitFor();
+  await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   await page.waitForTimeout(400);
   const paused = await time();
   assert.ok(paused > 0.01, `${paused} s after a second`);
@@ -179,7 +179,7 @@ test('while it stands still the words follow every change, however quick', async
   const { page, leave } = await open(browser, server.address);
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press(' ');
-  await page.getByRole('button', { name: 'Play' }).waitFor();
+  await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   await type(page, 'dampingConstant', '31');
   for (const key of ['ArrowUp', 'ArrowUp', 'ArrowUp', 'Shift+ArrowUp']) await page.keyboard.press(key);
   await page.locator('.verdict-numbers', { hasText: 'heads for ±6.4°' }).waitFor({ timeout: 5000 });
@@ -203,7 +203,7 @@ test('an absurd value stops the run, not the page, and is undone', async () => {
   assert.match(await knob(page, 'casterLength').refusal.innerText(), /^Far beyond the slider/);
   assert.equal(await page.locator('.verdict-message').innerText(), 'The run stopped');
   await page.locator('.note').getByRole('button', { name: 'Undo' }).click();
-  await page.getByRole('button', { name: 'Play' }).click();
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
   await untilVerdict(page, 'It shimmies');
   assert.equal(await page.locator('.note').count(), 0);
   await leave();
@@ -229,7 +229,7 @@ test('a link with an absurd value opens stopped, and Reset all gets it going', a
   const { page, leave } = await open(browser, `${server.address}#shimmy=1&relaxationLength=1e-300&initial.torsionAngle=0.05`);
   await page.locator('.note', { hasText: 'The run stopped at 0.000 s' }).waitFor();
   await page.getByRole('button', { name: 'Reset all' }).click();
-  await page.getByRole('button', { name: 'Play' }).click();
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
   await untilVerdict(page, 'It shimmies');
   assert.equal(await page.locator('.note').count(), 0);
   await leave();
@@ -257,7 +257,7 @@ test('all values are in a drawer beside the gear, each live', async () => {
 test('with reduced motion it opens paused, the whole run drawn', async () => {
   const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');
-  await page.getByRole('button', { name: 'Play' }).waitFor();
+  await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   const one = await gearPixels(page);
   await page.waitForTimeout(300);
   assert.deepEqual(await gearPixels(page), one);

@@ -102,7 +102,7 @@ test('the list obeys its keys: arrows past what is not built, Escape, and nothin
   assert.ok(await page.getByRole('listbox').isHidden());
   await page.keyboard.press('Escape');
   await page.keyboard.press(' ');
-  await page.getByRole('button', { name: 'Play' }).waitFor();
+  await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   assert.equal(await place(page), 'What to try');
   await leave();
 });
@@ -128,7 +128,7 @@ test('back to what you had: value, time, pause', async () => {
   await page.waitForTimeout(400);
   assert.equal(await knob(page, 'dampingConstant').number.inputValue(), '33.0');
   assert.equal(await time(page), then);
-  assert.equal(await page.getByRole('button', { name: 'Play' }).count(), 1);
+  assert.equal(await page.getByRole('button', { name: 'Play', exact: true }).count(), 1);
   assert.equal(await page.getByRole('button', { name: 'Back to what you had' }).count(), 0);
   await leave();
 });
