@@ -8,6 +8,9 @@
  *   selector; `whileVeiled`: only then; `word`: `key.<word>` and `key.<word>.does`
  */
 
+/** Elements that page by these keys themselves; a slider does where no pointer has led to it (see page.js). */
+const ownPages = 'select, [role="combobox"], shimmy-page:not([data-pointed]) :is([role="slider"], [type="range"])';
+
 /** @type {readonly Shortcut[]} */
 export const shortcuts = [
   { keys: ['1'], command: 'guess', value: 'dies-out', word: 'guess', whileVeiled: true },
@@ -21,8 +24,8 @@ export const shortcuts = [
   { keys: ['r'], command: 'start', word: 'start' },
   { keys: ['k'], command: 'kick', word: 'kick' },
   { keys: ['0'], command: 'fit', word: 'fit' },
-  { keys: ['PageDown'], command: 'next', word: 'story', usedBy: 'select, input' },
-  { keys: ['PageUp'], command: 'previous', word: 'story', usedBy: 'select, input' },
+  { keys: ['PageDown'], command: 'next', word: 'story', usedBy: ownPages },
+  { keys: ['PageUp'], command: 'previous', word: 'story', usedBy: ownPages },
   { keys: ['p'], command: 'predict', word: 'predict' },
   { keys: ['f'], command: 'freeze', word: 'freeze' },
   { keys: ['d'], command: 'pen', word: 'pen' },

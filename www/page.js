@@ -56,7 +56,9 @@ export class Page extends LitElement {
     window.addEventListener('hashchange', () => this.#app.openLink(location.hash));
     window.addEventListener('pagehide', () => this.#remember());
     window.addEventListener('keydown', (event) => this.#key(event));
-    // A clicker's keys come before a slider that has the focus.
+    window.addEventListener('pointerdown', () => this.toggleAttribute('data-pointed', true), true);
+    window.addEventListener('keydown', ({ key }) => key === 'Tab' && this.toggleAttribute('data-pointed', false), true);
+    // A clicker's keys come before a slider that has the focus from a mouse.
     window.addEventListener('keydown', (event) => {
       if (['PageUp', 'PageDown'].includes(event.key)) this.#key(event);
     }, true);
@@ -73,6 +75,7 @@ export class Page extends LitElement {
     const explained = quantities.find(({ name }) => name === app.explained);
     const change = this.#change;
     const { isVeiled } = app;
+    const telling = this.#teller.tell(app);
     return html`
       <shimmy-header role="banner" .voice=${voice} .theme=${theme} .object=${object} .stories=${app.stories} .canComeBack=${app.left !== null}
         .canUndo=${store.canUndo} .canRedo=${store.canRedo} .isReady=${session !== null} .views=${viewsOf(app.state).map(({ name, title }) => ({ name, title: title(voice), hasLines: true }))}
@@ -84,8 +87,9 @@ export class Page extends LitElement {
           .quantities=${quantities} .ghostCount=${app.state.ghosts.length} .views=${views} .failure=${app.failure} .isVeiled=${isVeiled}
           .isBig=${isBig}></shimmy-stage>
         <section class="lens" aria-label=${voice.say('lens.name')}>
-          ${predict && app.notes.length === 0 ? html`<shimmy-prediction .voice=${voice} .predict=${predict}></shimmy-prediction>` : html`
-            <shimmy-strip ?data-waits=${this.#isActing} .voice=${voice} .notes=${app.notes} .telling=${this.#teller.tell(app)}
+          ${predict && app.notes.length === 0 ? html`<shimmy-prediction .voice=${voice} .predict=${predict}
+            .question=${telling?.isQuestion ? telling.sentence : ''}></shimmy-prediction>` : html`
+            <shimmy-strip ?data-waits=${this.#isActing} .voice=${voice} .notes=${app.notes} .telling=${telling}
               .canComeBack=${app.left !== null} .isVeiled=${isVeiled}></shimmy-strip>`}
           ${this.#isActing ? html`<p class="opening-line" role="status">${app.act?.moment === 'wheel' ? '' : voice.say('act.sentence')}</p>` : ''}
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}></shimmy-lens-tabs>
@@ -181,7 +185,9 @@ export class Page extends LitElement {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    const isWriting = event.target instanceof HTMLInputElement && ['text', 'search'].includes(event.target.type);
+    // A clicker has no key that writes.
+    const isClicked = ['PageUp', 'PageDown'].includes(event.key);
+    const isWriting = event.target instanceof HTMLInputElement && ['text', 'search'].includes(event.target.type) && !isClicked;
     if (!this.#app.session || event.defaultPrevented || isWriting) return;
     if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z') {
       event.preventDefault();

@@ -156,6 +156,53 @@ test('a clicker walks the first look, and a link takes another there', async () 
   await again.leave();
 });
 
+test('a question is guessed at, answered by the story, and gone on from: all with the keys of a clicker, or by hand', async () => {
+  const { page, leave } = await open(browser, server.address);
+  await untilVerdict(page, 'It shimmies');
+  for (let i = 0; i < 4; i++) await page.keyboard.press('PageDown');
+  await untilPlace(page, 'First look · 4 of 5');
+  await page.getByRole('button', { name: 'Next' }).waitFor({ state: 'hidden' });
+  await page.keyboard.press('PageDown');
+  const asked = page.locator('shimmy-prediction');
+  await asked.getByText('Now the damping goes up to 60. What becomes of the swing?').waitFor();
+  assert.equal(await knob(page, 'dampingConstant').number.inputValue(), '60.0');
+  assert.equal(await page.locator('shimmy-verdict h1').count(), 0, 'veiled');
+  await page.keyboard.press('1');
+  await page.keyboard.press('PageDown');
+  await asked.getByText('You said 1, it dies out. Right.').waitFor();
+  await untilVerdict(page, 'It dies out');
+  await page.keyboard.press('PageDown');
+  await untilPlace(page, 'First look · 5 of 5');
+  await page.keyboard.press('PageUp');
+  await untilPlace(page, 'First look · 4 of 5');
+  await untilVerdict(page, 'It shimmies');
+  await page.locator('shimmy-strip').getByRole('button', { name: 'Predict' }).click();
+  await asked.getByRole('button', { name: 'grows' }).click();
+  await asked.getByRole('button', { name: 'Reveal' }).click();
+  await asked.getByText('You said 3, it grows. It dies out.').waitFor();
+  await asked.getByRole('button', { name: 'Next' }).click();
+  await untilPlace(page, 'First look · 5 of 5');
+  await leave();
+});
+
+test('a clicker walks on after a mouse was at a slider or at the time; by the keyboard these page themselves', async () => {
+  const { page, leave } = await open(browser, server.address);
+  await untilVerdict(page, 'It shimmies');
+  await page.getByRole('slider', { name: 'Time' }).click();
+  await page.keyboard.press('PageDown');
+  await untilPlace(page, 'First look · 1 of 5');
+  await type(page, 'velocity', '81');
+  await page.keyboard.press('PageDown');
+  await untilPlace(page, 'First look · 2 of 5');
+  await page.getByRole('button', { name: 'Pause' }).focus();
+  while (!(await page.evaluate(() => document.activeElement?.matches('[type="range"]')))) await page.keyboard.press('Tab');
+  const before = await knob(page, 'velocity').number.inputValue();
+  await page.keyboard.press('PageUp');
+  assert.notEqual(await knob(page, 'velocity').number.inputValue(), before);
+  assert.equal(await place(page), 'First look · 2 of 5');
+  await leave();
+});
+
 test('another object: the dock follows its table, and what is not built is dimmed', async () => {
   const { page, leave } = await open(browser, server.address);
   await untilVerdict(page, 'It shimmies');

@@ -15,13 +15,13 @@ export function storyCommands(app) {
     /** What is next: where a step asks a question, first the guess and the answer, then the next step. */
     next: () => {
       if (app.isVeiled) app.run('reveal');
-      else if (!app.state.predict && told(app)?.step.asks && !isAnswered(app)) app.run('ask');
+      else if (told(app)?.step.asks && !isAnswered(app)) app.run('ask');
       else walk(app, 1);
     },
     previous: () => walk(app, -1),
     /** Has the question of the step guessed at, and sets the values that answer it. */
     ask: () => {
-      app.run('predict');
+      app.run(app.state.predict ? 'predictAgain' : 'predict');
       answer(app);
     },
     comeBack: () => comeBack(app),

@@ -10,15 +10,17 @@ import { said } from './said.js';
 
 /**
  * Predict and reveal: what becomes of the swing is asked while everything that would tell it is veiled; then the run goes
- * on and shows who was right. Commands: `guess`, `reveal`, `predictAgain`, `predict` to leave.
+ * on and shows who was right. A story asks in its own words, and goes on from there. Commands: `guess`, `reveal`,
+ * `predictAgain`, `next`, `predict` to leave.
  */
 export class Prediction extends LitElement {
-  static properties = { voice: { attribute: false }, predict: { attribute: false } };
+  static properties = { voice: { attribute: false }, predict: { attribute: false }, question: { attribute: false } };
 
   constructor() {
     super();
     /** @type {Voice | null} */ this.voice = null;
     /** @type {State['predict']} */ this.predict = null;
+    /** What a story asks; empty where nobody tells one. */ this.question = '';
   }
 
   createRenderRoot() {
@@ -37,7 +39,7 @@ export class Prediction extends LitElement {
     const { voice, predict } = this;
     if (!voice || !predict) return html``;
     return html`<section class=${predict.outcome ? 'prediction told' : 'prediction'} tabindex="-1" aria-label=${voice.say('predict.name')}>
-      <p role="status">${predict.outcome ? said(predict, voice) : voice.say('predict.ask')}</p>
+      <p role="status">${predict.outcome ? said(predict, voice) : this.question || voice.say('predict.ask')}</p>
       ${predict.outcome ? this.#after(voice) : this.#asking(predict, voice)}
     </section>`;
   }
@@ -59,7 +61,8 @@ export class Prediction extends LitElement {
     return html`
       <div class="prediction-choices">
         <button type="button" class="framed" @click=${() => tell(this, 'predict')}>${voice.say('predict.leave')}</button>
-        <button type="button" class="primary" @click=${() => tell(this, 'predictAgain')}>${voice.say('predict.again')}</button>
+        ${this.question ? html`<button type="button" class="primary" @click=${() => tell(this, 'next')}>${voice.say('story.next')}</button>`
+          : html`<button type="button" class="primary" @click=${() => tell(this, 'predictAgain')}>${voice.say('predict.again')}</button>`}
       </div>`;
   }
 }

@@ -4,9 +4,9 @@ import { tell } from '../command.js';
 /**
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {{ text: string, isAlert: boolean, isStop?: boolean, canUndo?: boolean }} Note `isStop`: stands as long as the run is stopped
- * @typedef {{ place: string, sentence: string, isFigure: boolean, isAsking: boolean, following: string | null, preceding: string | null }} Telling
+ * @typedef {{ place: string, sentence: string, isFigure: boolean, isQuestion: boolean, isAsking: boolean, following: string | null, preceding: string | null }} Telling
  *   a step in words; `place`: which step of which story, or which figure; `following`, `preceding`: what Next and Back open, null at the ends;
- *   `isAsking`: the question of the step is not answered yet
+ *   `isQuestion`: the sentence asks what comes, `isAsking`: and it is not answered yet
  */
 
 /**
@@ -61,7 +61,7 @@ export class Strip extends LitElement {
   #story({ place, sentence, isFigure, isAsking, following, preceding }, voice) {
     const next = voice.say(isAsking ? 'story.predict' : 'story.next');
     return html`
-      <div class="story told ${isFigure ? 'figure' : ''}" role="group" aria-label=${place}>
+      <div class="story tale ${isFigure ? 'figure' : ''}" role="group" aria-label=${place}>
         <div aria-live="polite">
           <p class="story-title">${place}</p>
           <p>${sentence}</p>

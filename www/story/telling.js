@@ -29,6 +29,7 @@ export class Teller {
       place: placeOf(story, at, voice),
       sentence: this.#sentence,
       isFigure: story.kind === 'figure',
+      isQuestion: step.asks !== undefined,
       isAsking: step.asks !== undefined && !state.predict && !isAnswered(app),
       following: neighborPlace(app, 1),
       preceding: neighborPlace(app, -1),

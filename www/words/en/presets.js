@@ -44,7 +44,7 @@ export const presets = {
   'preset.freeplay.tells': 'Linear theory calls this gear stable, and yet it rattles.',
   'preset.freeplay.1': 'Without a gap this gear is calm. Linear theory asks for a damping of {cBoundary}, and it has {c}.',
   'preset.freeplay.2': 'With a gap of {gap} the same gear rattles, {swing} at {beat}.',
-  'preset.freeplay.3': 'Linear theory calls this gear stable. Halve the gap: what happens to the rattle?',
+  'preset.freeplay.3': 'Linear theory calls this gear stable. Now half the gap: what becomes of the rattle?',
   'preset.freeplay.4': 'Half the gap, half the rattle: {swing} instead of {ghostSwing}. It does not end.',
   'preset.freeplay.5': 'Inside the gap no spring holds the wheel, and there the tire swings it. Outside, the spring calms it.',
   'preset.freeplay.6': 'At {v} m/s the same gap is calm: past {vGap} the tire no longer swings the wheel inside it.',
@@ -59,7 +59,7 @@ export const presets = {
   'preset.caster.tells': 'A wheel ahead of its axis can be calmer than one behind it.',
   'preset.caster.1': 'The wheel trails its axis by {e} m, and it shimmies.',
   'preset.caster.2': 'Farther behind it is calm: past {eUpper} m the swing dies out.',
-  'preset.caster.3': 'Put the wheel ahead of its axis, at {asked} m. What becomes of the twist?',
+  'preset.caster.3': 'Now the wheel goes ahead of its axis, to {asked} m. What becomes of the twist?',
   'preset.caster.4': 'The wheel leads, and the swing dies out: below {eLower} m the spring holds it straight.',
   'preset.caster.5': 'Half the spring, and {ahead} m ahead: now the wheel turns aside and stays there, {rest} off.',
 

@@ -44,7 +44,7 @@ export const presets = {
   'preset.freeplay.tells': 'Doğrusal kuram bu takıma kararlı diyor, o ise takırdıyor.',
   'preset.freeplay.1': 'Boşluk yokken bu takım sakin. Doğrusal kurama göre {cBoundary} sönüm gerek, onda {c} var.',
   'preset.freeplay.2': '{gap} boşlukla aynı takım takırdıyor: {swing}, {beat}.',
-  'preset.freeplay.3': 'Doğrusal kuram bu takıma kararlı diyor. Boşluğu yarıya indir: takırtı ne olur?',
+  'preset.freeplay.3': 'Doğrusal kuram bu takıma kararlı diyor. Şimdi boşluk yarıya iniyor: takırtı ne olur?',
   'preset.freeplay.4': 'Yarım boşluk, yarım takırtı: {ghostSwing} yerine {swing}. Ama bitmiyor.',
   'preset.freeplay.5': 'Boşluğun içinde tekerleği hiçbir yay tutmuyor, lastik onu orada sallıyor. Dışında yay durultuyor.',
   'preset.freeplay.6': '{v} m/s’de aynı boşluk sakin: {vGap} üstünde lastik tekerleği boşluğun içinde artık sallamıyor.',
@@ -59,7 +59,7 @@ export const presets = {
   'preset.caster.tells': 'Ekseninin önündeki tekerlek, arkasındakinden sakin olabilir.',
   'preset.caster.1': 'Tekerlek ekseninin {e} m arkasında ve shimmy yapıyor.',
   'preset.caster.2': 'Daha geride sakin: {eUpper} m’den ötede salınım sönüyor.',
-  'preset.caster.3': 'Tekerleği ekseninin önüne al: kaster {asked} m. Salınım ne olur?',
+  'preset.caster.3': 'Şimdi tekerlek ekseninin önüne geçiyor: kaster {asked} m. Salınım ne olur?',
   'preset.caster.4': 'Tekerlek önde ve salınım sönüyor: {eLower} m altında yay onu düz tutuyor.',
   'preset.caster.5': 'Yarı sert bir yay, {ahead} m öndeki tekerlek: artık yana dönüyor ve {rest} açıda kalıyor.',
 
