@@ -121,7 +121,8 @@ export class RateChoice extends LitElement {
 
 /** @param {number} seconds @param {Voice} voice */
 function duration(seconds, voice) {
-  return seconds >= 1 ? `${voice.number(seconds, 0)} s` : `${voice.number(seconds * 1000, 0)} ms`;
+  // A number and its unit stay on one line.
+  return seconds >= 1 ? `${voice.number(seconds, 0)}\u00a0s` : `${voice.number(seconds * 1000, 0)}\u00a0ms`;
 }
 
 customElements.define('shimmy-rate', RateChoice);

@@ -232,7 +232,7 @@ export class Timeline extends LitElement {
     event.stopPropagation();
   }
 
-  /** Enter brings the cursor and pins it, Ctrl with an arrow brings it too, Escape takes all away. @param {KeyboardEvent} event */
+  /** Enter brings the cursor and pins it (while something is veiled it reveals), Ctrl with an arrow brings it too, Escape takes all away. @param {KeyboardEvent} event */
   #cursorKey({ key, ctrlKey, shiftKey }) {
     const scene = this.#scene;
     if (!scene) return false;
@@ -243,7 +243,7 @@ export class Timeline extends LitElement {
       this.#isReading = false;
     } else if (key === 'Enter' && this.#isReading) {
       this.#cursors.pinLoose(scene.time, [from, to]);
-    } else if (key === 'Enter') {
+    } else if (key === 'Enter' && !this.isVeiled) {
       this.#isReading = true;
       this.#cursors.put(0, [from, to]);
     } else if (steps && (this.#isReading || ctrlKey)) {
