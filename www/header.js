@@ -133,7 +133,7 @@ export class Header extends LitElement {
   }
 
   get #menu() {
-    return this.querySelector('details');
+    return /** @type {HTMLDetailsElement | null} */ (this.querySelector('details.menu'));
   }
 
   /** A press elsewhere closes the menu. @param {PointerEvent} event */
