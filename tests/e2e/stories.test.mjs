@@ -166,7 +166,7 @@ test('a question is guessed at, answered by the story, and gone on from: all wit
   const asked = page.locator('shimmy-prediction');
   await asked.getByText('Now the damping goes up to 60. What becomes of the swing?').waitFor();
   assert.equal(await knob(page, 'dampingConstant').number.inputValue(), '60.0');
-  await page.locator('shimmy-verdict h1').waitFor({ state: 'detached' });
+  await page.locator('.verdict-veil').waitFor();
   await page.keyboard.press('1');
   await page.keyboard.press('PageDown');
   await asked.getByText('You said 1, it dies out. Right.').waitFor();
