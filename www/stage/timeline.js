@@ -237,7 +237,7 @@ export class Timeline extends LitElement {
     const scene = this.#scene;
     if (!scene) return false;
     const [from, to] = this.#window;
-    const steps = { ArrowLeft: -1, ArrowRight: 1, PageDown: -10, PageUp: 10, Home: -Infinity, End: Infinity }[key];
+    const steps = { ArrowLeft: -1, ArrowRight: 1, Home: -Infinity, End: Infinity }[key];
     if (key === 'Escape' && !this.#cursors.isEmpty) {
       this.#cursors.clear();
       this.#isReading = false;
@@ -261,14 +261,12 @@ export class Timeline extends LitElement {
     const scene = this.#scene;
     if (key === ' ') tell(this, 'toggle');
     const steps = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[key];
-    const tenths = { PageDown: -1, PageUp: 1, Home: -Infinity, End: Infinity }[key];
-    if (!scene || !(steps || tenths)) return key === ' ';
+    if (!scene || !(steps || key === 'Home' || key === 'End')) return key === ' ';
     const { from, to } = scene.run;
-    const now = this.#sought ?? scene.time;
     // The lane grows when now comes near its end; End stays short of that, or each press would move it.
     const end = from + (to - from) / 1.101;
-    const jumped = Math.min(Math.max(now + (tenths ?? 0) * 0.1 * (to - from), from), tenths === Infinity ? end : to);
-    this.#seek(steps ? now + steps * this.step * (shiftKey ? 10 : 1) : jumped);
+    const step = (steps ?? 0) * this.step * (shiftKey ? 10 : 1);
+    this.#seek(steps ? (this.#sought ?? scene.time) + step : key === 'Home' ? from : end);
     tell(this, 'settle');
     return true;
   }
