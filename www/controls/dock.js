@@ -1,4 +1,4 @@
-import { LitElement, html, nothing } from 'lit';
+import { LitElement, html } from 'lit';
 import { tell } from '../command.js';
 import './knob.js';
 import { nameOf } from './quantity.js';
@@ -29,7 +29,6 @@ export class Dock extends LitElement {
     links: { attribute: false },
     usual: { attribute: false },
     knobs: { attribute: false },
-    breath: { attribute: false },
     unstable: { attribute: false },
     explained: { attribute: false },
     voice: { attribute: false },
@@ -45,7 +44,6 @@ export class Dock extends LitElement {
     /** Which values follow others. @type {Readonly<Record<string, boolean>>} */ this.links = {};
     /** @type {Readonly<Record<string, number>>} */ this.usual = {};
     /** The knobs that a story is about, before the usual ones. @type {readonly string[]} */ this.knobs = [];
-    /** The knob that breathes, to be seen. @type {string | null} */ this.breath = null;
     /** Where the gear is unstable as one value varies. @type {(name: string) => import('./scent.js').Unstable | null} */
     this.unstable = () => null;
     /** The parameter that is explained just now. @type {string | null} */ this.explained = null;
@@ -119,7 +117,7 @@ export class Dock extends LitElement {
   #knob(quantity, voice) {
     const { name } = quantity;
     return html`
-      <shimmy-knob data-place="dock" data-name=${name} data-breath=${this.breath === name ? '' : nothing}
+      <shimmy-knob data-place="dock" data-name=${name}
         .quantity=${quantity} .value=${this.values[name]} .usual=${this.usual[name]} .links=${this.links} .voice=${voice}
         .unstable=${this.isVeiled ? null : this.unstable(name)} .isExplained=${this.explained === name} .change=${this.change}></shimmy-knob>`;
   }

@@ -24,8 +24,7 @@ const places = 1000;
  * shimmies. Made from the parameter's line in the engine's table. A value that the engine refuses is explained beneath;
  * the run keeps the last good one.
  *
- * Commands: `settle` at the end of a gesture; `explain` with the parameter's name; `velocityUnit`; `toggleLink`. With the
- * attribute `data-breath` it breathes once.
+ * Commands: `settle` at the end of a gesture; `explain` with the parameter's name; `velocityUnit`; `toggleLink`.
  */
 export class Knob extends LitElement {
   static properties = {
