@@ -231,7 +231,7 @@ test('what a pen draws stays with its view, is taken back stroke by stroke, and 
   const { page, leave } = await open(browser, server.address);
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press('f');
-  await page.getByRole('button', { name: 'Play' }).waitFor();
+  await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   await page.keyboard.press('d');
   await draw(page, gear, [[0.2, 0.3], [0.4, 0.6], [0.3, 0.8]]);
   await draw(page, plot, [[0.3, 0.3], [0.7, 0.7]]);
@@ -312,6 +312,21 @@ test('one finger draws, two move the page; without a pen in hand the sheet lets 
   await leave();
 });
 
+for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024], [390, 844], [360, 640]])
+  test(`the pen's tools fit the head at ${width} × ${height}, in both languages`, async () => {
+    for (const locale of ['en-US', 'tr-TR']) {
+      const { page, leave } = await open(browser, server.address, { viewport: { width, height }, locale });
+      await page.locator('h1[data-verdict]').waitFor();
+      await page.keyboard.press('d');
+      await page.locator('.pen-tools').waitFor();
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, `wider than the screen: ${locale}`);
+      const outside = await page.locator('shimmy-header :is(button, summary):visible').evaluateAll((buttons) => buttons
+        .filter((button) => button.getBoundingClientRect().right > window.innerWidth || button.getBoundingClientRect().left < 0).map(({ className }) => className));
+      assert.deepEqual(outside, [], locale);
+      await leave();
+    }
+  });
+
 test('big: the verdict is twice as large, and the gear keeps its size whatever is said', async () => {
   const { page, leave } = await open(browser, server.address, { viewport: { width: 1024, height: 768 } });
   await untilVerdict(page, 'It shimmies');
@@ -356,6 +371,7 @@ test('every key of a lecturer is on the list', async () => {
   const { page, leave } = await open(browser, server.address);
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press('?');
+  await page.locator('.menu-sheet kbd').first().waitFor();
   const keys = await page.locator('.menu-sheet kbd').allInnerTexts();
   for (const key of ['P', '1 2 3', 'Enter', 'F', 'D', 'B', 'Home', 'Esc']) assert.ok(keys.includes(key), `${key}: ${keys.join(' | ')}`);
   await leave();

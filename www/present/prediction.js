@@ -38,7 +38,7 @@ export class Prediction extends LitElement {
   render() {
     const { voice, predict } = this;
     if (!voice || !predict) return html``;
-    return html`<section class=${predict.outcome ? 'prediction told' : 'prediction'} tabindex="-1" aria-label=${voice.say('predict.name')}>
+    return html`<section class=${predict.outcome ? 'prediction revealed' : 'prediction'} tabindex="-1" aria-label=${voice.say('predict.name')}>
       <p role="status">${predict.outcome ? said(predict, voice) : this.question || voice.say('predict.ask')}</p>
       ${predict.outcome ? this.#after(voice) : this.#asking(predict, voice)}
     </section>`;
