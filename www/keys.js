@@ -8,8 +8,8 @@
  *   selector; `whileVeiled`: only then; `word`: `key.<word>` and `key.<word>.does`
  */
 
-/** Elements that page by these keys themselves; a slider does where no pointer has led to it (see page.js). */
-const ownPages = 'select, [role="combobox"], shimmy-page:not([data-pointed]) :is([role="slider"], [type="range"])';
+/** Elements that page by these keys themselves; a knob's slider does where no pointer has led to it (see page.js). */
+const ownPages = 'select, [role="combobox"], shimmy-page:not([data-pointed]) [type="range"]';
 
 /** @type {readonly Shortcut[]} */
 export const shortcuts = [
