@@ -232,6 +232,14 @@ test('on a phone the field is behind its button, its rows are large, and the sto
   await untilPlace(page, 'Figure 5.92b · phase portrait');
   const strip = await page.locator('shimmy-strip').boundingBox();
   assert.ok(strip && strip.y > 0 && strip.y + strip.height < 844 - 140, 'the story is in sight, above the slider');
+  // The last step of this one is seen through the lens at the end of the row.
+  await page.getByRole('button', { name: 'Search presets and figures' }).tap();
+  await page.getByRole('combobox', { name: 'Presets, figures, lessons' }).fill('double the gap');
+  await rows(page).first().tap();
+  for (let i = 0; i < 2; i++) await page.getByRole('button', { name: 'Next' }).tap();
+  await untilPlace(page, 'Double the gap, double the rattle · 3 of 3');
+  const tab = await page.getByRole('tab', { name: 'Compare' }).boundingBox();
+  assert.ok(tab && tab.x >= 0 && tab.x + tab.width <= 390, 'the tab of the chosen lens is in sight');
   await page.locator('.menu summary').tap();
   assert.ok(await page.locator('.menu-sheet').getByRole('combobox', { name: 'Object' }).isVisible());
   await leave();

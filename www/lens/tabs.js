@@ -32,6 +32,16 @@ export class LensTabs extends LitElement {
     })}</div>`;
   }
 
+  /** A lens that a story or a link has chosen is in sight, where the row is wider than the screen. @param {Map<string, unknown>} changed */
+  updated(changed) {
+    const tab = changed.has('lens') && /** @type {HTMLElement | null} */ (this.querySelector('[aria-selected="true"]'));
+    const row = tab && tab.parentElement;
+    if (!row) return;
+    const { offsetLeft, offsetWidth } = tab;
+    const isSeen = offsetLeft >= row.scrollLeft && offsetLeft + offsetWidth <= row.scrollLeft + row.clientWidth;
+    if (!isSeen) row.scrollLeft = offsetLeft - (row.clientWidth - offsetWidth) / 2;
+  }
+
   /** Arrow keys walk the row, as in every list of tabs. @param {KeyboardEvent} event */
   #key(event) {
     const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
