@@ -28,7 +28,8 @@ const rattling = {
 
 /** @param {readonly AtlasEntry[]} entries @returns {Story[]} in the order of the thesis, a chapter's tables after its figures */
 export function figuresOf(entries) {
-  return entries.map(figureOf).sort((one, other) => placeOf(one.name).localeCompare(placeOf(other.name), 'en', { numeric: true }));
+  const { compare } = new Intl.Collator('en', { numeric: true });
+  return entries.map(figureOf).sort((one, other) => compare(placeOf(one.name), placeOf(other.name)));
 }
 
 /** `figure-5.88a` stands at `5 figure 88a`. @param {string} name */
