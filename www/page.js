@@ -28,7 +28,7 @@ const stillness = matchMedia('(prefers-reduced-motion: reduce)');
  * frames drawn.
  */
 export class Page extends LitElement {
-  static properties = { said: { state: true } };
+  static properties = { said: { state: true }, address: { state: true } };
 
   #app = new App();
   #loop = new Loop(this.#app, this);
@@ -39,6 +39,7 @@ export class Page extends LitElement {
   constructor() {
     super();
     /** What came of the last wish to take something along. */ this.said = '';
+    /** The page's address with its state, as it was written last. */ this.address = '';
     this.#app.onChange = () => this.#changed();
   }
 
@@ -79,7 +80,7 @@ export class Page extends LitElement {
     return html`
       <shimmy-header role="banner" .voice=${voice} .theme=${theme} .object=${object} .stories=${app.stories} .canComeBack=${app.left !== null}
         .canUndo=${store.canUndo} .canRedo=${store.canRedo} .isReady=${session !== null} .views=${viewsOf(app.state).map(({ name, title }) => ({ name, title: title(voice), hasLines: true }))}
-        .link=${app.link ? this.#address : ''} .said=${this.said}
+        .link=${this.address} .said=${this.said}
         .isPredicting=${predict !== null} .isDrawing=${app.isDrawing} .isPinned=${app.ink.isPinned}></shimmy-header>
       <main>
         <shimmy-stage .voice=${voice} .isReady=${session !== null} .isPlaying=${clock.isPlaying} .isStill=${app.isStill}
@@ -164,22 +165,16 @@ export class Page extends LitElement {
   #remember() {
     const { link, state } = this.#app;
     if (!link) return;
+    this.address = addressWith(link);
     if (link !== location.hash) history.replaceState(null, '', link);
     keep({ link, language: state.language, theme: state.theme, velocityUnit: state.velocityUnit });
-  }
-
-  /** The page's address with its state; of a file on this machine its name alone. */
-  get #address() {
-    const { protocol, origin, pathname } = location;
-    const place = protocol === 'file:' ? pathname.slice(pathname.lastIndexOf('/') + 1) : origin + pathname;
-    return place + this.#app.link;
   }
 
   /** @param {import('./out/sheet.js').Wish} wish */
   async #takeAlong(wish) {
     this.#remember();
     this.said = '';
-    const material = materialOf(this.#app, wish, this, readTheme(this), this.#address);
+    const material = materialOf(this.#app, wish, this, readTheme(this), this.address);
     if (material) this.said = await grant(wish, material, this.#app.voice);
   }
 
@@ -233,6 +228,12 @@ export class Page extends LitElement {
     else root.dataset.theme = state.theme;
     this.#loop.redress();
   }
+}
+
+/** The page's address with its state; of a file on this machine its name alone. @param {string} link */
+function addressWith(link) {
+  const { protocol, origin, pathname } = location;
+  return (protocol === 'file:' ? pathname.slice(pathname.lastIndexOf('/') + 1) : origin + pathname) + link;
 }
 
 customElements.define('shimmy-page', Page);

@@ -144,7 +144,7 @@ test('from the strobe back to slow the keyboard finds the list', async () => {
 test('where the wheel does not swing the strobe has nothing to lock to', async () => {
   const { page, leave } = await open(browser, `${server.address}#shimmy=2&velocity=80&dampingConstant=60&clock=strobe`);
   await untilVerdict(page, 'It rests');
-  assert.equal(await label(page), 'no steady beat to lock to');
+  assert.match(await label(page), /^no steady beat/, 'in full or in short, as there is room');
   await press(page, 'Kick');
   await page.locator('.scale', { hasText: 'one flash a cycle' }).waitFor();
   await leave();

@@ -112,9 +112,11 @@ export class GearView extends LitElement {
       ${this.layout === 'phone' ? this.#pager(voice) : ''}`;
   }
 
-  updated() {
+  /** @param {Map<string, unknown>} changed */
+  updated(changed) {
     this.#place();
-    this.#redraw();
+    // All else comes with a frame, which is drawn anyway.
+    if (['layout', 'isFromSide', 'isBig', 'voice'].some((name) => changed.has(name))) this.#redraw();
   }
 
   /** Of the drawing, in CSS pixels. */

@@ -28,6 +28,7 @@ export class Transport extends LitElement {
   };
 
   #observer = new ResizeObserver(() => this.#fit());
+  /** What was fitted last: measuring makes the browser lay out the page. */ #fitted = '';
 
   constructor() {
     super();
@@ -52,6 +53,8 @@ export class Transport extends LitElement {
 
   connectedCallback() {
     super.connectedCallback();
+    // Words are measured anew in the page's own typeface.
+    document.fonts.ready.then(() => this.#fit());
     this.#observer.observe(this);
   }
 
@@ -62,7 +65,7 @@ export class Transport extends LitElement {
 
   updated() {
     // Its words may be others now; they are there only when the rate has been drawn.
-    /** @type {import('./rate-choice.js').RateChoice | null} */ (this.querySelector('shimmy-rate'))?.updateComplete.then(() => this.#fit());
+    /** @type {import('./rate-choice.js').RateChoice | null} */ (this.querySelector('shimmy-rate'))?.updateComplete.then(() => this.#fitWhereOther());
   }
 
   render() {
@@ -87,6 +90,14 @@ export class Transport extends LitElement {
         .frequency=${this.frequency} .beat=${this.beat}></shimmy-rate>
       <button type="button" class="framed kick" title=${voice.say('clock.kick.does', { impulse: this.kickImpulse })} ?disabled=${!isReady} @click=${this.#press('kick')}>${voice.say('clock.kick')}</button>
       ${this.#pin(voice)}`;
+  }
+
+  /** Fits where the words have become others. */
+  #fitWhereOther() {
+    const words = this.textContent ?? '';
+    if (words === this.#fitted) return;
+    this.#fitted = words;
+    this.#fit();
   }
 
   /** As many words as there is room for: none is cut. */
