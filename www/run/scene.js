@@ -16,7 +16,12 @@
 import { roundStep } from '../view/scale.js';
 import { spanFor } from './fit.js';
 
+/** Cycles that the trail shows, and that of a ghost. */
 const pastCycles = 8;
+const ghostCycles = 2;
+/** A past of more cycles than this is shown with as many samples as there are pixels, and no cycle can be told in it. */
+const mostCycles = 16;
+const pastSamples = 240;
 const samplesPerCycle = 64;
 /** A spectrum looks back so many cycles, and needs a few. */
 const spectrumCycles = 32;
@@ -38,7 +43,7 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
   const [earliest] = live.range;
   const beat = 1 / (frequency ?? 50);
   const since = (/** @type {number} */ span) => Math.max(earliest, time - span);
-  const past = live.history(since(-moment[0]), time, 240);
+  const { past, orbitPast } = pastsOf(live, -moment[0], pastCycles * beat, beat);
   const roll = odometer.distanceAt(time);
   const trackFrom = Math.max(earliest, odometer.timeAt(roll - trackLength));
   const tracked = (/** @type {LiveRun} */ run, /** @type {number} */ shift) => {
@@ -53,23 +58,49 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
   return {
     object, time, state, parameters,
     forces: engine.forces(model, state),
-    past,
-    orbitPast: live.history(since(pastCycles * beat), time, pastCycles * samplesPerCycle),
+    past, orbitPast,
     track: tracked(live, 0),
     future: engine.simulate({ ...model, initial: live.stateByName, duration: moment[1], samples: 60, rtol: 1e-6, maxSteps: stepsAhead }),
     run: { ...span, past: pastEnvelope.upTo(live, span.from, stretch), future: ahead },
     extremes: extremes(past, time - beat),
     trail: [3, 2, 1].map((twelfths) => poseAt(past, time - (twelfths * beat) / 12)).filter((pose) => pose !== null),
     fan: exposure > 0 ? fanOf(live.history(since(exposure), time, poses)) : null,
-    ghosts: ghosts.all.map(({ live: run, outlook: goal, energy: exchanged, kept }) => ({
-      kept, state: run.state, parameters: run.parameters, outlook: goal, energy: exchanged,
-      past: shifted(run.history(Math.max(run.range[0], run.time + moment[0]), run.time, 240), kept.from),
-      orbitPast: run.history(Math.max(run.range[0], run.time - 2 * beat), run.time, 2 * samplesPerCycle),
-      track: tracked(run, kept.from),
-    })),
+    ghosts: ghosts.all.map(({ live: run, outlook: goal, energy: exchanged, kept }) => {
+      const pasts = pastsOf(run, -moment[0], ghostCycles * beat, beat);
+      return {
+        kept, state: run.state, parameters: run.parameters, outlook: goal, energy: exchanged,
+        past: shifted(pasts.past, kept.from), orbitPast: pasts.orbitPast, track: tracked(run, kept.from),
+      };
+    }),
     roll, outlook, scales, energy, frequency, exposure,
     ...looksFurther(engine, live, beat),
   };
+}
+
+/**
+ * The past that the timeline shows and the one that the trail does. Where they are alike in length they are two ends of
+ * one: the engine computes what was anew, each time.
+ * @param {LiveRun} run @param {number} shown in s @param {number} trailing in s @param {number} beat in s
+ */
+function pastsOf(run, shown, trailing, beat) {
+  const { time, range } = run;
+  const since = (/** @type {number} */ span) => Math.max(range[0], time - span);
+  const longest = Math.max(shown, trailing);
+  if (longest > mostCycles * beat) {
+    return { past: run.history(since(shown), time, pastSamples), orbitPast: run.history(since(trailing), time, Math.ceil(trailing / beat) * samplesPerCycle) };
+  }
+  const from = since(longest);
+  const all = run.history(from, time, Math.max(2, Math.ceil(((time - from) / beat) * samplesPerCycle)));
+  return { past: endOf(all, since(shown)), orbitPast: endOf(all, since(trailing)) };
+}
+
+/** What of a history is at a time or later, and one sample before it. @param {import('../engine/engine.js').Columns} columns @param {number} from in s */
+function endOf(columns, from) {
+  const { time, torsionAngle, torsionRate, lateralDeformation } = columns;
+  let at = 0;
+  while (at + 2 < time.length && time[at + 1] <= from) at++;
+  const end = (/** @type {Float64Array} */ series) => series.subarray(at);
+  return { time: end(time), torsionAngle: end(torsionAngle), torsionRate: end(torsionRate), lateralDeformation: end(lateralDeformation) };
 }
 
 /**
