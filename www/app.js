@@ -64,7 +64,9 @@ export class App {
   /** Counts the changes that a hand has ended: each is a reason to speak. */ occasion = 0;
   /** Whether the outlook is to be looked at anew though no time has gone by. */ isLookDue = true;
   /** Called after each change of what elements show. */ onChange = () => {};
+  /** @type {Model[] | null} */ #models = null;
   /** @type {Map<string, Quantity[]>} */ #quantities = new Map();
+  /** @type {Map<string, Record<string, number>>} */ #usual = new Map();
   /** @type {LinearTheory | null} */ #theory = null;
 
   /** All commands by name. @type {Readonly<Record<string, Command>>} */
@@ -94,9 +96,15 @@ export class App {
     return predict !== null && predict.outcome === null;
   }
 
+  /** The tables of all models; none before the engine is there. They never change, so they are asked for once. */
+  get models() {
+    this.#models ??= this.engine?.models() ?? null;
+    return this.#models ?? [];
+  }
+
   /** The model's tables; null before the engine is there. @returns {Model | null} */
   get table() {
-    return this.engine?.models().find(({ name }) => name === this.state.object) ?? null;
+    return this.models.find(({ name }) => name === this.state.object) ?? null;
   }
 
   /** The parameters of the object as the page shows them. */
@@ -124,7 +132,11 @@ export class App {
 
   /** @param {string} object @returns {Record<string, number>} */
   usualOf(object) {
-    return Object.fromEntries(this.#quantitiesOf(object).map(({ name, parameter }) => [name, openingParameters[name] ?? parameter.default]));
+    const known = this.#usual.get(object);
+    if (known || this.models.length === 0) return known ?? {};
+    const usual = Object.fromEntries(this.#quantitiesOf(object).map(({ name, parameter }) => [name, openingParameters[name] ?? parameter.default]));
+    this.#usual.set(object, usual);
+    return usual;
   }
 
   /**
@@ -177,7 +189,7 @@ export class App {
   openLink(text) {
     const { engine, session } = this;
     if (!engine || (session && text === this.link)) return false;
-    const read = readLink(text, engine.models(), (run) => this.#accepts(run));
+    const read = readLink(text, this.models, (run) => this.#accepts(run));
     if (!read) return false;
     // A damaged link without a start would open on a wheel at rest, and say nothing of why.
     const isBare = read.problems.length > 0 && Object.keys(read.state.run.initial).length === 0;
@@ -204,7 +216,7 @@ export class App {
 
   /** The whole state as an address; empty before there is one. */
   get link() {
-    return this.engine && this.session ? writeLink(this.state, this.session.recipe, this.engine.models()) : '';
+    return this.engine && this.session ? writeLink(this.state, this.session.recipe, this.models) : '';
   }
 
   /** The rate by hand, else the one for the motion that the run settles on; and the beat that the strobe locks to. */
@@ -240,7 +252,7 @@ export class App {
   #quantitiesOf(object) {
     const { velocityUnit } = this.state;
     const key = `${object} ${velocityUnit}`;
-    const table = this.#quantities.has(key) ? null : this.engine?.models().find(({ name }) => name === object);
+    const table = this.#quantities.has(key) ? null : this.models.find(({ name }) => name === object);
     if (table) this.#quantities.set(key, table.parameters.map((parameter) => new Quantity(parameter, velocityUnit)));
     return this.#quantities.get(key) ?? [];
   }

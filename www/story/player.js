@@ -113,7 +113,7 @@ function goesOn(app, { story, at }) {
   const { asTold, state } = app;
   if (!story.steps[at].goesOn || now?.story !== story || !app.engine || !asTold) return false;
   const { parameters, run, object, ghosts } = state;
-  const wanted = parametersOf(story.steps[at].state, app.engine.models());
+  const wanted = parametersOf(story.steps[at].state, app.models);
   return object === asTold.object && run === asTold.run && ghosts === asTold.ghosts
     && (isSameRecord(parameters, asTold.parameters) || isSameRecord(parameters, wanted));
 }
@@ -127,7 +127,7 @@ function show(app, story, at, isGoingOn) {
   if (!engine || !session) return;
   const { state } = story.steps[at];
   const object = objectOf(state);
-  const parameters = parametersOf(state, engine.models());
+  const parameters = parametersOf(state, app.models);
   const ghosts = (state.ghosts ?? []).map((ghost) => ({
     object, parameters: { ...parameters, ...ghost.parameters }, initial: { ...state.initial, ...ghost.initial }, from: 0,
   }));
