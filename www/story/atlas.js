@@ -28,14 +28,13 @@ const rattling = {
 
 /** @param {readonly AtlasEntry[]} entries @returns {Story[]} in the order of the thesis, a chapter's tables after its figures */
 export function figuresOf(entries) {
-  const { compare } = new Intl.Collator('en', { numeric: true });
-  return entries.map(figureOf).sort((one, other) => compare(placeOf(one.name), placeOf(other.name)));
+  return entries.map(figureOf).sort((one, other) => (placeOf(one.name) < placeOf(other.name) ? -1 : 1));
 }
 
-/** `figure-5.88a` stands at `5 figure 88a`. @param {string} name */
+/** `figure-5.88a` stands at `5 figure 088a`. @param {string} name */
 function placeOf(name) {
-  const [kind, chapter, number] = name.split(/[-.]/);
-  return `${chapter} ${kind} ${number}`;
+  const [, kind, chapter, number, part] = name.match(/^(\w+)-(\w+)\.(\d+)(\w*)$/) ?? [];
+  return number ? `${chapter} ${kind} ${number.padStart(3, '0')}${part}` : name;
 }
 
 /** @param {AtlasEntry} entry @returns {Story} */
