@@ -127,7 +127,9 @@ export class Loop {
     }
     app.isLookDue = false;
     app.lockStrobe();
-    const { seen, energy, time, frequency, ghosts } = session;
+    const { seen, time, frequency, ghosts } = session;
+    // A wheel in a hand does not swing, and where it goes is the hand's affair.
+    const energy = session.isHeld ? null : session.energy;
     for (const element of this.#host.querySelectorAll('shimmy-stage, shimmy-strip, shimmy-why, #lens-panel'))
       Object.assign(element, { outlook: seen, energy, time, frequency, occasion: app.occasion, ghosts: ghosts.all });
   }

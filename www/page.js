@@ -118,7 +118,7 @@ export class Page extends LitElement {
   /** Whether the first seconds have the strip above the lens to themselves. */
   get #isActing() {
     const { act, notes } = this.#app;
-    return act !== null && notes.length === 0;
+    return act !== null && act.moment !== 'over' && notes.length === 0;
   }
 
   async #open() {

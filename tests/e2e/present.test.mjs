@@ -187,7 +187,7 @@ test('predict and reveal, with keys alone; nothing tells before, to eye or ear',
   await page.keyboard.press('1');
   assert.equal(await page.getByRole('button', { name: 'dies out' }).getAttribute('aria-pressed'), 'true');
   await page.keyboard.press('Enter');
-  await page.locator('.prediction [role="status"]', { hasText: 'You said 1, it dies out. It grows' }).waitFor();
+  await page.locator('.prediction [role="status"]', { hasText: 'You said 1, it dies out. No. It grows' }).waitFor();
   await page.locator('h1[data-verdict]').waitFor();
   await page.waitForTimeout(500);
   assert.ok((await time(page)) > asked, 'the run goes on');

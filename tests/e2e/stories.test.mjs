@@ -179,7 +179,7 @@ test('a question is guessed at, answered by the story, and gone on from: all wit
   await page.locator('shimmy-strip').getByRole('button', { name: 'Predict' }).click();
   await asked.getByRole('button', { name: 'grows' }).click();
   await asked.getByRole('button', { name: 'Reveal' }).click();
-  await asked.getByText('You said 3, it grows. It dies out.').waitFor();
+  await asked.getByText('You said 3, it grows. No. It dies out.').waitFor();
   await asked.getByRole('button', { name: 'Next' }).click();
   await untilPlace(page, 'First look · 5 of 5');
   await leave();

@@ -39,13 +39,13 @@ function play(app, seconds) {
   return seen;
 }
 
-test('second by second: the wheel, its swing, the sentence, ±10°, one breath, silence', () => {
+test('second by second: the wheel, its swing, the sentence, ±10°, one breath, silence, and what to try', () => {
   const { app, session } = opened();
   assert.deepEqual([app.clock.rate, app.state.parameters.velocity, app.state.parameters.dampingConstant], [50, 80, 20]);
   assert.deepEqual(session.recipe.initial, { torsionAngle: 0.05 });
   const seen = play(app, 12);
   assert.deepEqual(seen.map(({ moment }) => moment),
-    ['wheel', 'wheel', 'wheel', 'sentence', 'sentence', 'sentence', 'sentence', 'sentence', 'breath', 'breath', 'breath', 'breath', 'breath']);
+    ['wheel', 'wheel', 'wheel', 'sentence', 'sentence', 'sentence', 'sentence', 'sentence', 'breath', 'breath', 'breath', 'breath', 'over']);
   // At 1 s: the pointer at the protractor's radius of 0.5 m has gone over 15 of the sheet's pixels of 330 a meter.
   assert.equal(session.scales.magnification, 1);
   assert.ok((2 * seen[1].swing / degrees) * 0.5 * 330 > 15, `±${seen[1].swing}°`);
@@ -69,8 +69,8 @@ test('a hidden page misses nothing: what was not seen does not count', () => {
 test('each moment begins once', () => {
   const act = new OpeningAct();
   let begun = 0;
-  for (let frame = 0; frame <= 600; frame++) begun += Number(act.elapse(frame / 60, true));
-  assert.equal(begun, 2);
+  for (let frame = 0; frame <= 900; frame++) begun += Number(act.elapse(frame / 60, true));
+  assert.equal(begun, 3);
 });
 
 test('any command ends it', () => {

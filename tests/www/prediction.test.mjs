@@ -51,11 +51,11 @@ test('what was said is held against what came', () => {
   const grown = outcomeOf(outlook('shimmies', 0.684), 0.2);
   const fallen = outcomeOf(outlook('shimmies', 0.1), 0.2);
   assert.equal(said({ guess: 'grows', outcome: grown }, en), 'You said 3, it grows. Right.');
-  assert.equal(said({ guess: 'dies-out', outcome: grown }, en), 'You said 1, it dies out. It grows to ±39.2°.');
+  assert.equal(said({ guess: 'dies-out', outcome: grown }, en), 'You said 1, it dies out. No. It grows to ±39.2°.');
   assert.equal(said({ guess: 'holds', outcome: fallen }, en), 'You said 2, it holds. Right.');
-  assert.equal(said({ guess: 'dies-out', outcome: fallen }, en), 'You said 1, it dies out. It falls to ±5.7° and holds there.');
+  assert.equal(said({ guess: 'dies-out', outcome: fallen }, en), 'You said 1, it dies out. No. It falls to ±5.7° and holds there.');
   assert.equal(said({ guess: null, outcome: grown }, en), 'It grows to ±39.2°.');
-  assert.equal(said({ guess: 'dies-out', outcome: grown }, tr), '1 dedin: söner. ±39,2° genliğe büyüyor.');
+  assert.equal(said({ guess: 'dies-out', outcome: grown }, tr), '1 dedin: söner. Hayır. ±39,2° genliğe büyüyor.');
   assert.equal(said({ guess: 'grows', outcome: null }, en), '');
 });
 

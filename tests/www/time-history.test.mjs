@@ -57,8 +57,8 @@ test('a cursor is a line and a ring on the curve, and reads time, value, peak to
 
 test('two cursors read their differences, across now too unless the future is veiled', () => {
   const read = (/** @type {object} */ more) => drawn(more).named('fillText').at(-1)?.args[0];
-  assert.equal(read({ cursors: [-0.03, -0.01] }), 'Δt 20.0 ms · 50.0 Hz · Δψ 0.0°');
-  assert.equal(read({ cursors: [-0.03, 0.01] }), 'Δt 40.0 ms · 25.0 Hz · Δψ 0.0°');
+  assert.equal(read({ cursors: [-0.03, -0.01] }), 'Δt 20.0 ms · 1/Δt 50.0 Hz · Δψ 0.0°');
+  assert.equal(read({ cursors: [-0.03, 0.01] }), 'Δt 40.0 ms · 1/Δt 25.0 Hz · Δψ 0.0°');
   assert.equal(read({ cursors: [-0.01, 0.01], veiled: true }).startsWith('10 ms ago'), true);
   assert.equal(cursorWords([0.012], moment.future, 'torsionAngle', moment.limit, voiceOf('en')).split(' · ')[0], 'in 12 ms');
   assert.equal(cursorWords([-0.01], moment.past, 'lateralDeformation', 0.05, voiceOf('en')), '10 ms ago · 0.0 mm · pk–pk 80.0 mm · 50.0 Hz');

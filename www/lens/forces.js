@@ -37,7 +37,15 @@ export class ForcesLens extends PlotLens {
 
   /** @param {Voice} voice */
   line(voice) {
-    return html`<p>${voice.say(this.scene && this.scene.forces.sideForceLimited ? 'forces.limited' : 'forces.growing')}</p>`;
+    return html`<p>${voice.say(this.#isLimited ? 'forces.limited' : 'forces.growing')}</p>`;
+  }
+
+  /** Whether the side force meets its limit within a cycle: of the cycle, as the instant changes too fast to be read. */
+  get #isLimited() {
+    const { scene } = this;
+    const [low, high] = scene?.lastCycle()?.slipAngle ?? [0, 0];
+    const limit = scene?.laws({ samples: 2 }).kinks.sideForceLimitAngle ?? Infinity;
+    return Math.max(high, -low) > limit;
   }
 
   /** @type {PlotLens['paintScene']} */

@@ -44,6 +44,8 @@ export class PhaseLens extends PlotLens {
 
   /** @param {Voice} voice */
   line(voice) {
+    const { interval } = this.view.startsWith('spectrum') && this.scene ? { interval: this.scene.spectrumSpan } : { interval: 0 };
+    if (interval > 0) return html`<p>${voice.say('phase.spectrum.over', { time: voice.number(interval * 1000, 0) })}</p>`;
     return html`<p class="destination">${this.isVeiled ? veil(voice) : this.outlook ? destination(this.outlook, voice) : ''}</p>`;
   }
 

@@ -59,9 +59,9 @@ function historyOf({ parameters }, recipe, table) {
   const done = recipe.changes.map(({ time, set, state, kick }) => {
     const what = [...entries(Object.entries(set ?? {}), ':'), ...entries(prefixed(state ?? {}, 'state.'), ':')];
     if (kick !== undefined) what.push(`kick:${kick}`);
-    return `do=${[time, ...what].join(',')}`;
+    return `do=${[tidy(time), ...what].join(',')}`;
   });
-  return [...was.map(({ name }) => `was.${name}=${recipe.parameters[name]}`), ...done, `time=${recipe.time}`];
+  return [...was.map(({ name }) => `was.${name}=${recipe.parameters[name]}`), ...done, `time=${tidy(recipe.time)}`];
 }
 
 /** @param {State['ghosts'][number]} ghost @param {Table[]} models */
@@ -87,6 +87,9 @@ function stateOf(state, table, prefix) {
 function prefixed(record, prefix) {
   return Object.entries(record).map(([name, value]) => [prefix + name, value]);
 }
+
+/** A time without the dust of its sums. @param {number} time */
+const tidy = (time) => Number(time.toPrecision(14));
 
 /** @param {[string, number][]} pairs @param {string} sign */
 function entries(pairs, sign) {

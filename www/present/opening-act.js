@@ -1,17 +1,17 @@
 import { Stopwatch } from './stopwatch.js';
 
 /**
- * The first seconds of a fresh page: the wheel alone, then one sentence, then one knob's breath, then silence. Whatever a
- * visitor does ends it.
+ * The first seconds of a fresh page: the wheel alone, then one sentence, then one knob's breath, then what to try. Whatever
+ * a visitor does ends it.
  *
  * It has no timer: frames tell it the time. What it says is true when it is said, for it goes by the time that was seen,
  * as the run does: with the opening's start and rate the swing reaches ±10° at 6 s.
  *
- * @typedef {'wheel' | 'sentence' | 'breath'} Moment the last that has begun
+ * @typedef {'wheel' | 'sentence' | 'breath' | 'over'} Moment the last that has begun
  */
 
 /** When each begins, in s. @type {readonly { moment: Moment, at: number }[]} */
-const moments = [{ moment: 'wheel', at: 0 }, { moment: 'sentence', at: 3 }, { moment: 'breath', at: 8 }];
+const moments = [{ moment: 'wheel', at: 0 }, { moment: 'sentence', at: 3 }, { moment: 'breath', at: 8 }, { moment: 'over', at: 12 }];
 
 export class OpeningAct {
   /** When its last moment begins, in s: where a page that must not move stands still. */

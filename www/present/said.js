@@ -16,5 +16,5 @@ export function said({ guess, outcome }, voice) {
   const truth = voice.say(`predict.becomes.${outcome.becomes}`, { amplitude: swing(outcome.amplitude, voice) });
   if (guess === null) return truth;
   const words = voice.say(`predict.said.${guess}`, { number: guesses.indexOf(guess) + 1 });
-  return `${words} ${guess === outcome.truth ? voice.say('predict.right') : truth}`;
+  return `${words} ${guess === outcome.truth ? voice.say('predict.right') : voice.say('predict.wrong', { truth })}`;
 }

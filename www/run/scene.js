@@ -33,11 +33,11 @@ const poses = 16;
  * @param {{
  *   engine: Engine, live: LiveRun, past: import('./past-envelope.js').PastEnvelope, odometer: import('./odometer.js').Odometer,
  *   outlook: Outlook, scales: { magnification: number, limits: import('./fit.js').Swing, forces: { force: number, moment: number } },
- *   frequency: number | null, ghosts: import('./ghosts.js').Ghosts, energy: Energy | null, lookedAt: number, stepsAhead: number,
+ *   frequency: number | null, ghosts: import('./ghosts.js').Ghosts, energy: Energy | null, lookedAt: number, stepsAhead: number, isHeld: boolean,
  * }} session
  * @param {Wanted} wanted
  */
-export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, scales, frequency, ghosts, energy, lookedAt, stepsAhead }, wanted) {
+export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, scales, frequency, ghosts, energy, lookedAt, stepsAhead, isHeld }, wanted) {
   const { moment, trackLength, stretches, exposure, duration } = wanted;
   const { time, parameters, object, state } = live;
   const [earliest] = live.range;
@@ -60,7 +60,7 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
     forces: engine.forces(model, state),
     past, orbitPast,
     track: tracked(live, 0),
-    future: engine.simulate({ ...model, initial: live.stateByName, duration: moment[1], samples: 60, rtol: 1e-6, maxSteps: stepsAhead }),
+    future: isHeld ? endOf(past, time) : engine.simulate({ ...model, initial: live.stateByName, duration: moment[1], samples: 60, rtol: 1e-6, maxSteps: stepsAhead }),
     run: { ...span, past: pastEnvelope.upTo(live, span.from, stretch), future: ahead },
     extremes: extremes(past, time - beat),
     trail: [3, 2, 1].map((twelfths) => poseAt(past, time - (twelfths * beat) / 12)).filter((pose) => pose !== null),
@@ -111,6 +111,7 @@ function looksFurther(engine, live, beat) {
   const { time, parameters, object } = live;
   const model = { model: object, parameters };
   const [earliest] = live.range;
+  const cycles = Math.min(spectrumCycles, Math.floor((time - earliest) / beat));
   return {
     /** The force laws as curves. @param {import('../engine/engine.js').Curves} curves */
     laws: (curves) => engine.forceLaws(model, curves),
@@ -121,9 +122,10 @@ function looksFurther(engine, live, beat) {
       const { slipAngle } = engine.forcesAlong(model, { time: times, torsionAngle, torsionRate, lateralDeformation });
       return { slipAngle: rangeOf(slipAngle), torsionAngle: rangeOf(torsionAngle) };
     },
+    /** How far back the spectrum looks, in s; 0 just after the start. */
+    spectrumSpan: cycles < fewestCycles ? 0 : cycles * beat,
     /** Amplitudes of ψ by frequency, over the last cycles; null just after the start. */
     spectrum: () => {
-      const cycles = Math.min(spectrumCycles, Math.floor((time - earliest) / beat));
       if (cycles < fewestCycles) return null;
       const samples = cycles * samplesPerCycle;
       const { torsionAngle } = live.history(time - cycles * beat, time, samples + 1);

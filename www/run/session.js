@@ -37,6 +37,10 @@ const widestDrawn = (60 * Math.PI) / 180;
 /** Scales reach no further ahead than this, far beyond what the model is trusted for. */
 const widestAhead = 1;
 const samplesPerCycle = 64;
+/** A trail shows so many cycles. */
+const trailCycles = 8;
+/** A swing smaller than this is none, in rad. */
+const least = 1e-9;
 /** A hand is firm: between two of its pushes no more time goes by than this, in s. */
 const grip = 5e-4;
 
@@ -287,7 +291,7 @@ export class Session {
     const { outlook, scales, frequency, ghosts } = this;
     return sceneOf({
       engine: this.#engine, live: this.#live, past: this.#past, odometer: this.#odometer,
-      outlook, scales, frequency, ghosts, energy: this.#energy, lookedAt: this.#lookedAt, stepsAhead,
+      outlook, scales, frequency, ghosts, energy: this.#energy, lookedAt: this.#lookedAt, stepsAhead, isHeld: this.isHeld,
     }, wanted);
   }
 
@@ -363,8 +367,22 @@ export class Session {
   #refit() {
     if (this.#isVeiled) return;
     const { magnification, limits } = this.scales;
+    const swing = this.#swing();
+    // A wheel at rest has no swing to fit to, and a trail that is still seen must not be cut.
+    const isStill = swing.angle < least;
+    const trailed = { ...swing, angle: Math.max(swing.angle, this.#trailed()) };
+    if (isStill || (stillFits(limits, trailed) && !stillFits(limits, swing))) return;
     const fitted = this.#tried(() => this.#fitted()) ?? this.scales;
-    this.scales = { ...fitted, magnification, limits: stillFits(limits, this.#swing()) ? limits : fitted.limits };
+    this.scales = { ...fitted, magnification, limits: stillFits(limits, swing) ? limits : fitted.limits };
+  }
+
+  /** The largest ψ of the trail, in rad. */
+  #trailed() {
+    const { time, range } = this.#live;
+    const from = Math.max(range[0], time - trailCycles / (this.frequency ?? 50));
+    if (!(time > from)) return 0;
+    const { low, high } = this.#live.envelope(from, time, 1);
+    return Math.max(high[0], -low[0]);
   }
 
   /**

@@ -27,7 +27,7 @@ const rolling = (velocity, dampingConstant, others) => ({ parameters: { velocity
 
 /** The gear of the freeplay stories: calm without a gap. @param {number} halfGap in degrees @param {number} [velocity] in m/s */
 const gapped = (halfGap, velocity = 50) => ({
-  ...rolling(velocity, 100, { freeplayAngle: halfGap * degree }), knobs: ['freeplayAngle', 'velocity', 'dampingConstant', 'casterLength'],
+  ...rolling(velocity, 100, { freeplayAngle: halfGap * degree }), initial: { torsionAngle: 1.5 * Math.max(halfGap, 1) * degree }, knobs: ['freeplayAngle', 'velocity', 'dampingConstant', 'casterLength'],
 });
 
 const opening = rolling(80, 20);

@@ -36,7 +36,7 @@ export function cursorWords(cursors, history, shown, limit, voice) {
   if (readings.length < 2) return '';
   const difference = differenceOf(readings[0], readings[1]);
   const symbol = quantity.dotted ? `${quantity.symbol}\u0307` : quantity.symbol;
-  return [`Δt ${voice.number(difference.time * 1000, 1)} ms`, ...hertz(difference.frequency), `Δ${symbol} ${value(difference.value)}`].join(' · ');
+  return [`Δt ${voice.number(difference.time * 1000, 1)} ms`, ...hertz(difference.frequency).map((words) => `1/Δt ${words}`), `Δ${symbol} ${value(difference.value)}`].join(' · ');
 }
 
 /** @param {number} time in s @param {Voice} voice */

@@ -40,7 +40,7 @@ export const controls = {
   'scent.said.below': '{state} below {value}',
   'scent.said.between': '{state} between {from} and {to}',
 
-  'explanation.usual': 'Usual value',
+  'explanation.usual': 'Default of the model',
   'explanation.range': 'Slider',
   'explanation.linked': 'Linked',
   'explanation.equations': 'Equations of this gear',

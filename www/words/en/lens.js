@@ -35,6 +35,7 @@ export const lens = {
   'phase.name.orbit': 'The motion in its state space: torsion angle, torsion rate and lateral deformation.',
   'phase.name.spectrum': 'Amplitude of the torsion angle at each frequency, over the last cycles.',
   'phase.name.spectrum-log': 'Amplitude of the torsion angle at each frequency, on a logarithmic scale.',
+  'phase.spectrum.over': 'Over the last {time} ms; the swing may have grown or fallen in them.',
   'phase.turn': 'Turn the orbit: drag it, or use the arrow keys',
 
   'forces.name': 'Force laws with the point where the gear is now: side force and aligning moment over slip angle, restoring moment over torsion angle.',
@@ -42,8 +43,8 @@ export const lens = {
   'forces.view.sideForce': 'Side force',
   'forces.view.aligningMoment': 'Aligning moment',
   'forces.view.restoringMoment': 'Restoring moment',
-  'forces.limited': 'The side force is at its limit: it feeds no more, however wide the swing.',
-  'forces.growing': 'The side force grows with the slip angle.',
+  'forces.limited': 'In each cycle the side force meets its limit: it feeds no more, however wide the swing.',
+  'forces.growing': 'The side force stays below its limit and grows with the slip angle.',
 
   'compare.portrait': 'The run and its ghosts: torsion rate over torsion angle.',
   'compare.clear': 'Let all go',

@@ -41,7 +41,7 @@ export const page = {
 
   'link.some': 'Not all of the link could be read: {list}.',
   'link.instead': '{problem}, so it is {instead}',
-  'link.start': 'The run starts as the page does.',
+  'link.start': 'The wheel starts turned a little, as the page opens it.',
   'link.too-large': '{key} = {value} (too large)',
   'link.version': '{key} = {value} (no version of a link)',
   'link.missing': '{key}={value} (missing)',

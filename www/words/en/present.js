@@ -19,6 +19,7 @@ export const present = {
   'predict.said.dies-out': 'You said {number}, it dies out.',
   'predict.said.holds': 'You said {number}, it holds.',
   'predict.said.grows': 'You said {number}, it grows.',
+  'predict.wrong': 'No. {truth}',
   'predict.right': 'Right.',
   'predict.becomes.dies-out': 'It dies out.',
   'predict.becomes.rests': 'It comes to rest.',

@@ -40,7 +40,7 @@ export const controls = {
   'scent.said.below': '{value} altında {state}',
   'scent.said.between': '{from} ile {to} arasında {state}',
 
-  'explanation.usual': 'Olağan değer',
+  'explanation.usual': 'Modelin varsayılanı',
   'explanation.range': 'Sürgü',
   'explanation.linked': 'Bağlı',
   'explanation.equations': 'Bu takımın denklemleri',

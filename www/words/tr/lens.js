@@ -35,6 +35,7 @@ export const lens = {
   'phase.name.orbit': 'Hareket, durum uzayında: burulma açısı, burulma hızı ve yanal şekil değiştirme.',
   'phase.name.spectrum': 'Son çevrimlerde burulma açısının her frekanstaki genliği.',
   'phase.name.spectrum-log': 'Burulma açısının her frekanstaki genliği, logaritmik ölçekte.',
+  'phase.spectrum.over': 'Son {time} ms içinde; salınım bu sürede büyümüş ya da küçülmüş olabilir.',
   'phase.turn': 'Yörüngeyi çevir: sürükle ya da ok tuşlarını kullan',
 
   'forces.name': 'Kuvvet yasaları ve takımın şu anki noktası: kayma açısına karşı yanal kuvvet ve hizalama momenti, burulma açısına karşı geri çağırma momenti.',
@@ -42,8 +43,8 @@ export const lens = {
   'forces.view.sideForce': 'Yanal kuvvet',
   'forces.view.aligningMoment': 'Hizalama momenti',
   'forces.view.restoringMoment': 'Geri çağırma momenti',
-  'forces.limited': 'Yanal kuvvet sınırında: salınım ne kadar büyürse büyüsün daha fazla beslemez.',
-  'forces.growing': 'Yanal kuvvet kayma açısıyla büyüyor.',
+  'forces.limited': 'Her çevrimde yanal kuvvet sınırına varıyor: salınım ne kadar büyürse büyüsün daha fazla beslemez.',
+  'forces.growing': 'Yanal kuvvet sınırının altında ve kayma açısıyla büyüyor.',
 
   'compare.portrait': 'Çalışma ve hayaletleri: burulma açısına karşı burulma hızı.',
   'compare.clear': 'Hepsini bırak',

@@ -41,7 +41,7 @@ export const page = {
 
   'link.some': 'Bağlantının tamamı okunamadı: {list}.',
   'link.instead': '{problem}, yerine {instead}',
-  'link.start': 'Çalışma, sayfanın kendisi gibi başlıyor.',
+  'link.start': 'Tekerlek, sayfanın açılışındaki gibi biraz çevrilmiş başlıyor.',
   'link.too-large': '{key} = {value} (fazla büyük)',
   'link.version': '{key} = {value} (bir bağlantı sürümü değil)',
   'link.missing': '{key}={value} (eksik)',

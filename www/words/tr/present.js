@@ -19,6 +19,7 @@ export const present = {
   'predict.said.dies-out': '{number} dedin: söner.',
   'predict.said.holds': '{number} dedin: sürer.',
   'predict.said.grows': '{number} dedin: büyür.',
+  'predict.wrong': 'Hayır. {truth}',
   'predict.right': 'Doğru.',
   'predict.becomes.dies-out': 'Sönüyor.',
   'predict.becomes.rests': 'Durup kalıyor.',
