@@ -176,7 +176,7 @@ export class App {
     this.setRate();
     if (this.isVeiled) this.clock.pause();
     else if (!isStill) this.clock.play();
-    else this.session.seek(isFresh ? OpeningAct.end / this.clock.rate : settlingTime(this.session.outlook.envelope));
+    else if (!this.state.run.time) this.session.seek(isFresh ? OpeningAct.end / this.clock.rate : settlingTime(this.session.outlook.envelope));
     if (isFresh && !isStill) this.act = new OpeningAct();
     this.onChange();
   }

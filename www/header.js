@@ -31,6 +31,7 @@ export class Header extends LitElement {
     canUndo: { attribute: false },
     canRedo: { attribute: false },
     isReady: { attribute: false },
+    isVeiled: { attribute: false },
     views: { attribute: false },
     link: { attribute: false },
     said: { attribute: false },
@@ -49,6 +50,7 @@ export class Header extends LitElement {
     this.canUndo = false;
     this.canRedo = false;
     this.isReady = false;
+    /** Whether what would tell the future is hidden: files would tell it. */ this.isVeiled = false;
     /** @type {import('./out/sheet.js').View[]} */ this.views = [];
     this.link = '';
     /** What came of the last wish to take something along. */ this.said = '';
@@ -94,7 +96,7 @@ export class Header extends LitElement {
       ${button('header.redo', '↷', this.canRedo, 'redo')}
       <shimmy-actions .voice=${voice} .isReady=${this.isReady} .isPredicting=${this.isPredicting} .isDrawing=${this.isDrawing}
         .isPinned=${this.isPinned}></shimmy-actions>
-      <shimmy-out-sheet .voice=${voice} .isReady=${this.isReady} .views=${this.views} .link=${this.link} .hasPython=${pythonModel(this.object) !== null} .said=${this.said}></shimmy-out-sheet>
+      <shimmy-out-sheet .voice=${voice} .isReady=${this.isReady && !this.isVeiled} .views=${this.views} .link=${this.link} .hasPython=${pythonModel(this.object) !== null} .said=${this.said}></shimmy-out-sheet>
       <details class="menu" @keydown=${this.#key}>
         <summary class="plain icon" title=${voice.say('header.menu')} aria-label=${voice.say('header.menu')}>⋯</summary>
         <div class="menu-sheet">

@@ -17,7 +17,7 @@ export function keep(kept) {
 export function recall() {
   try {
     const kept = JSON.parse(localStorage.getItem(place) ?? '{}');
-    return typeof kept === 'object' && kept ? kept : {};
+    return typeof kept === 'object' && kept && Object.values(kept).every((value) => typeof value === 'string') ? kept : {};
   } catch {
     return {};
   }

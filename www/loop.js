@@ -131,7 +131,7 @@ export class Loop {
     // A wheel in a hand does not swing, and where it goes is the hand's affair.
     const energy = session.isHeld ? null : session.energy;
     for (const element of this.#host.querySelectorAll('shimmy-stage, shimmy-strip, shimmy-why, #lens-panel'))
-      Object.assign(element, { outlook: seen, energy, time, frequency, occasion: app.occasion, ghosts: ghosts.all });
+      Object.assign(element, { outlook: app.isVeiled ? null : seen, energy: app.isVeiled ? null : energy, time, frequency, occasion: app.occasion, ghosts: ghosts.all });
   }
 
   /**
@@ -145,8 +145,7 @@ export class Loop {
       this.#shown = null;
       if (this.#lens) this.#lens.outlook = null;
       stage.frequency = this.#soundScene?.frequency ?? null;
-      if (this.#soundScene) this.#draw(this.#soundScene, stage, theme);
-      else stage.drawAtRest(theme);
+      this.#drawStopped(stage, theme);
     }
     if (session.failure === this.#toldOf && !(session.failure && app.clock.isPlaying)) return;
     this.#toldOf = session.failure;
@@ -154,6 +153,19 @@ export class Loop {
     const others = app.notes.filter(({ isStop }) => !isStop);
     app.notes = session.failure ? [{ text: this.#whyStopped(session), isAlert: true, isStop: true, canUndo: app.store.canUndo }] : others;
     app.onChange();
+  }
+
+  /** The last good picture; where the drawing itself is what failed, the gear at rest. @param {Stage} stage @param {Theme} theme */
+  #drawStopped(stage, theme) {
+    try {
+      if (this.#soundScene) {
+        this.#draw(this.#soundScene, stage, theme);
+        return;
+      }
+    } catch {
+      this.#soundScene = null;
+    }
+    stage.drawAtRest(theme);
   }
 
   /** @param {Session} session */

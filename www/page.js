@@ -80,7 +80,7 @@ export class Page extends LitElement {
     return html`
       <shimmy-header role="banner" .voice=${voice} .theme=${theme} .object=${object} .stories=${app.stories} .canComeBack=${app.left !== null}
         .canUndo=${store.canUndo} .canRedo=${store.canRedo} .isReady=${session !== null} .views=${viewsOf(app.state).map(({ name, title }) => ({ name, title: title(voice), hasLines: true }))}
-        .link=${this.address} .said=${this.said}
+        .isVeiled=${isVeiled} .link=${this.address} .said=${this.said}
         .isPredicting=${predict !== null} .isDrawing=${app.isDrawing} .isPinned=${app.ink.isPinned}></shimmy-header>
       <main>
         <shimmy-stage .voice=${voice} .isReady=${session !== null} .isPlaying=${clock.isPlaying} .isStill=${app.isStill}

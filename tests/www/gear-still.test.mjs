@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
 import { gearEn } from '../../www/words/gear.js';
 import { drawGear } from '../../www/stage/gear/draw.js';
+import { sheetFor } from '../../www/stage/gear/sheet.js';
 import { RecordingContext } from './recording-context.mjs';
 import { sceneOf, sizes, theme } from './gear-scene.mjs';
 
@@ -122,4 +123,10 @@ test('without a cache nothing is stamped, and the same is drawn as where bitmaps
   drawGear(bare.asContext, sizes.desktop, scene, { ...theme }, gearEn);
   assert.deepEqual(plain.marks, bare.marks);
   assert.deepEqual(plain.texts, bare.texts);
+});
+
+test('however far the wheel trails, the sheet keeps an arc to read angles off', () => {
+  for (const size of Object.values(sizes))
+    for (const casterLength of [-50, -5, 0, 1.5, 4, 5, 50])
+      assert.ok(sheetFor(size, { layout: 'desktop', parameters: { casterLength } }).protractor > 0, `e = ${casterLength}`);
 });

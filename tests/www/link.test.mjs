@@ -1,7 +1,9 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
+import { noteOn } from '../../www/link/note.js';
 import { readLink } from '../../www/link/read.js';
 import { writeLink } from '../../www/link/write.js';
+import { voiceOf } from '../../www/words/voice.js';
 
 const state = [{ name: 'torsionAngle' }, { name: 'torsionRate' }, { name: 'lateralDeformation' }];
 const models = [
@@ -140,4 +142,12 @@ test('what is left out says what stands instead', () => {
 test('names of the language itself are unknown keys, not keys', () => {
   const read = readLink('#shimmy=1&__proto__=1&constructor=2&initial.toString=3', models, accepts);
   assert.deepEqual(read?.problems.map(({ reason }) => reason), ['unknown', 'unknown', 'unknown']);
+});
+
+test('of a thousand things that could not be read a few are told, each in short', () => {
+  const many = Array.from({ length: 1000 }, (_, i) => `key${i}=1`).join('&');
+  const read = readLink(`#shimmy=2&velocity=${'1'.repeat(400)}&${many}`, models, accepts);
+  const note = noteOn(read?.problems ?? [], voiceOf('en'));
+  assert.ok(note && note.text.length < 500, `${note?.text.length} letters`);
+  assert.match(note?.text ?? '', /and 996 more\.$/);
 });

@@ -161,3 +161,17 @@ test('what the keys mean while it is asked', () => {
   for (const [key, command] of [['p', 'predict'], ['f', 'freeze'], ['d', 'pen'], ['b', 'big'], ['Home', 'rest'], ['Escape', 'close']])
     assert.equal(pressed(key, false)?.command, command);
 });
+
+test('leaving the question before it is answered looks ahead again: no false rest stays', () => {
+  const { app, session } = opened(0.05, '#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&predict=1');
+  assert.ok(app.isVeiled);
+  app.run('close');
+  assert.ok(!app.isVeiled);
+  assert.equal(session.outlook.verdict, 'shimmies');
+});
+
+test('a page that must not move opens at the instant that its address names', () => {
+  const app = new App();
+  app.open(engine, ['#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&time=0.1'], { isStill: true });
+  assert.ok(Math.abs((app.session?.time ?? 0) - 0.1) < 1e-12);
+});

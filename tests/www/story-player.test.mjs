@@ -261,3 +261,19 @@ test('a hand lets go of the wheel before a story opens', () => {
   app.run('comeBack');
   assert.ok(Math.abs(sessionOf(app).scene(wanted).state[0] - 0.2) < 1e-12, 'and what it held comes back');
 });
+
+test('Reset all is undone to the instant, with what was done to the run', () => {
+  const app = openedApp();
+  const session = sessionOf(app);
+  session.advance(0.1);
+  session.set('dampingConstant', 30, null);
+  session.advance(0.05);
+  session.kick();
+  session.advance(0.02);
+  const before = [session.time, ...session.scene(wanted).state];
+  app.run('resetAll');
+  assert.equal(session.time, 0);
+  app.run('undo');
+  [session.time, ...session.scene(wanted).state].forEach((value, i) => assert.ok(Math.abs(value - before[i]) < 1e-6 * Math.max(1, Math.abs(before[i]))));
+  assert.equal(app.state.parameters.dampingConstant, 30);
+});

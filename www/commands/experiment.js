@@ -1,4 +1,5 @@
 import { openingObject, openingRun } from '../opening.js';
+import { keepRun } from '../story/player.js';
 import { mostGhosts } from '../run/ghosts.js';
 import { linksThatHold } from '../run/links.js';
 
@@ -21,6 +22,7 @@ export function experimentCommands(app) {
     redo: walk('redo'),
     resetAll: () => {
       if (!app.engine) return;
+      keepRun(app);
       store.follow({ object: openingObject });
       const links = linksThatHold(app.engine, openingObject, app.usual);
       store.update({ parameters: app.usual, links, run: { ...openingRun }, clock: { mode: 'slow', slow: null }, story: null });

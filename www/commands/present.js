@@ -32,6 +32,8 @@ export function presentCommands(app) {
   const leave = () => {
     const isUnanswered = app.isVeiled;
     store.update({ predict: null });
+    // What was veiled has not been looked at.
+    if (isUnanswered) app.session?.unveil();
     app.settled();
     if (isUnanswered && wasPlaying) clock.play();
   };

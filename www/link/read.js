@@ -19,6 +19,8 @@ import { mostGhosts } from '../run/ghosts.js';
 import { slowRates } from '../run/rate.js';
 import { version } from './write.js';
 
+/** A text longer than this is no address of ours: ours has some forty changes and four ghosts at most. */
+const longestText = 20_000;
 /** A run of an address goes no further than this, or a slip of the hand would keep the page busy for minutes, in s. */
 const longestRun = 120;
 
@@ -29,7 +31,7 @@ const longestRun = 120;
  * @returns {{ state: Linked, problems: Problem[] } | null} null where the address carries no experiment
  */
 export function readLink(text, models, accepts) {
-  const pairs = [...new URLSearchParams(text.replace(/^[#?]/, ''))];
+  const pairs = [...new URLSearchParams(text.slice(0, longestText).replace(/^[#?]/, ''))];
   const hasVersion = pairs.some(([key]) => key === 'shimmy');
   const named = pairs.find(([key]) => key === 'model')?.[1];
   const table = models.find(({ name }) => name === named) ?? models[0];
@@ -85,7 +87,7 @@ function isOfTable(key, table) {
 }
 
 /** @type {Readonly<Record<string, (reading: Reading, value: string) => Problem['reason'] | null>>} */
-const readers = {
+export const readers = {
   shimmy: (_, value) => (['1', String(version)].includes(value) ? null : Number(value) > version ? 'newer' : 'version'),
   model: ({ models }, value) => (models.some(({ name }) => name === value) ? null : 'unknown'),
   lens: ({ state }, value) => {

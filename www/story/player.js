@@ -100,8 +100,8 @@ export function comeBack(app) {
   app.settled();
 }
 
-/** The run of the state is what it has come to. @param {App} app */
-function keepRun({ session, store }) {
+/** The run of the state is what it has come to: undo brings it back so. @param {App} app */
+export function keepRun({ session, store }) {
   if (!session) return;
   const { parameters: start, changes, time, initial } = session.recipe;
   store.keepRun({ initial, start, changes, time });

@@ -15,7 +15,7 @@ import { quantities, valueOf } from './quantities.js';
 
 /**
  * The run and its ghosts in numbers: the run first, then the ghosts in the order of their numbers on the plots.
- * `veiled` hides what becomes of the run until it has been guessed. Asks for a ghost by a `pin` event, lets one go by an
+ * `veiled` hides what becomes of them until it has been guessed: a ghost may be the very run. Asks for a ghost by a `pin` event, lets one go by an
  * `unpin` event with its place among the ghosts, from 0.
  */
 export class CompareTable extends LitElement {
@@ -64,7 +64,7 @@ export class CompareTable extends LitElement {
       <tr>
         <th scope="row">${sample(number > 0)}${name}</th>
         <td>${number === 0 ? voice.say('compare.asSet') : changes(row.changes, voice)}</td>
-        ${number === 0 && this.veiled ? html`<td colspan="4" class="veil"><span aria-hidden="true">?</span><span class="only-heard">${voice.say('energy.veiled')}</span></td>` : results(row, voice)}
+        ${this.veiled ? html`<td colspan="4" class="veil"><span aria-hidden="true">?</span><span class="only-heard">${voice.say('energy.veiled')}</span></td>` : results(row, voice)}
         <td>${number === 0 ? '' : html`
           <button type="button" class="plain icon" aria-label=${voice.say('compare.unpin', { name })} title=${voice.say('compare.unpin', { name })}
             @click=${() => this.dispatchEvent(new CustomEvent('unpin', { detail: number - 1 }))}><span aria-hidden="true">×</span></button>`}</td>

@@ -45,7 +45,7 @@ export const gearTr = {
   gapShort: 'boşluk ±{angle}',
   side: 'YANDAN',
   seenFromTheRight: 'sağdan görünüş',
-  steeringAxis: 'yön ekseni',
+  steeringAxis: 'dönme ekseni',
   caster: 'kaster',
   wheelTrails: 'tekerlek eksenini izliyor',
   wheelLeads: 'tekerlek ekseninin önünde',

@@ -13,6 +13,9 @@
 export const WHEEL_RADIUS = 0.25;
 export const WHEEL_WIDTH = 0.17;
 
+/** However far the wheel trails, angles are read off an arc of this radius at least. [m] */
+const LEAST_PROTRACTOR = 0.2;
+
 /**
  * What each layout chooses. Lengths ending in `M` are in meters on the ground, the others in
  * pixels.
@@ -107,6 +110,7 @@ export function sheetFor(size, scene) {
   const ahead = Math.max(
     WHEEL_RADIUS - caster + 0.12,
     layout.protractorM - 0.4 * Math.max(0, caster - 0.1),
+    LEAST_PROTRACTOR,
   );
   const tickRoom = 3 * layout.small;
   const rightEnd = layout.detailed ? head.x - radius : width;

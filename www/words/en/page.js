@@ -50,6 +50,7 @@ export const page = {
   'link.not-a-number': '{key} = {value} (not a number)',
   'link.refused': '{key} = {value} (not allowed)',
   'link.unclear': '{key} = {value} (not understood)',
+  'link.more': 'and {count} more',
   'link.newer': 'version {value} (newer than this page)',
   'link.twice': '{key} = {value} (given twice)',
 

@@ -1,7 +1,7 @@
 /** What the parameters mean, in Turkish, by their names in the engine's table. @type {Readonly<Record<string, string>>} */
 export const docs = {
   velocity: 'Taksi hızı; bir çalışma boyunca sabittir. ẏ = vψ + (e − a)ψ̇ − (v/σ)y denklemine, bir de sırtın sönümüne κ/v olarak girer (Somieski 1997). 0’dan büyük her değer geçerlidir.',
-  casterLength: 'Kaster boyu (mekanik iz): temas merkezi yönlendirme ekseninin arkasındaysa artıdır. Yanal kuvvetin koludur, −e F_y; ẏ’ye (e − a)ψ̇ olarak girer (Somieski 1997). Sonlu her değer geçerlidir.',
+  casterLength: 'Kaster boyu (mekanik iz): temas merkezi dönme ekseninin arkasındaysa artıdır. Yanal kuvvetin koludur, −e F_y; ẏ’ye (e − a)ψ̇ olarak girer (Somieski 1997). Sonlu her değer geçerlidir.',
   halfContactLength: 'Lastiğin yere değdiği boyun yarısı. ẏ’ye (e − a)ψ̇ olarak girer (Somieski 1997). 0’dan büyük her değer geçerlidir.',
   relaxationLength: 'Lastiğin gevşeme boyu; şekil değişimi bu boyda söner: ẏ’de −(v/σ)y, kayma açısı α = arctan(y/σ), doğrusal takımda y/σ (Somieski 1997; onun verilerinde 3a). 0’dan büyük her değer geçerlidir.',
   momentOfInertia: 'Dönme eksenine göre atalet momenti: I_z ψ̈ bütün momentlerin toplamıdır (Somieski 1997). 0’dan büyük her değer geçerlidir.',

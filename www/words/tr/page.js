@@ -50,6 +50,7 @@ export const page = {
   'link.not-a-number': '{key} = {value} (sayı değil)',
   'link.refused': '{key} = {value} (izin verilmez)',
   'link.unclear': '{key} = {value} (anlaşılmadı)',
+  'link.more': 've {count} tane daha',
   'link.newer': '{value} sürümü (bu sayfadan yeni)',
   'link.twice': '{key} = {value} (iki kez verilmiş)',
 
