@@ -108,8 +108,13 @@ test('the first ten seconds: the wheel, the sentence at 3 s, ±10° at 6 s, one 
 
   const words = () => page.locator('body').innerText().then((text) => text.replaceAll(/[\d.±]+/g, ''));
   const said = await words();
-  await page.clock.runFor(4000);
+  await page.clock.runFor(1500);
   assert.equal(await words(), said, 'then silence');
+  await page.clock.runFor(3000);
+  assert.ok(await page.getByRole('button', { name: 'First look' }).isVisible(), 'until it says what to try');
+  const last = await words();
+  await page.clock.runFor(4000);
+  assert.equal(await words(), last, 'and silence again');
   assert.deepEqual(await breaths(), ['dampingConstant']);
   assert.equal(await page.locator('dialog, [role="dialog"]').count(), 0);
   await leave();

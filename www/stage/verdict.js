@@ -60,8 +60,8 @@ export class Verdict extends LitElement {
     if (this.isHeld) return html`
       <h1 data-verdict="held">${icon('held')}<span>${voice.say('verdict.held')}</span></h1>
       <p class="verdict-numbers">${heldLine(this.angle, voice)}</p>`;
-    if (!outlook) return html``;
     if (this.isVeiled) return html`<h1 class="verdict-veil">${veil(voice)}</h1>`;
+    if (!outlook) return html``;
     return html`
       <h1 data-verdict=${outlook.verdict}>${icon(outlook.verdict)}<span>${voice.say(`verdict.${outlook.verdict}`)}</span></h1>
       <p class="verdict-numbers">${numbersOf(outlook, voice).map(({ text, isExtra }, i) => html`
