@@ -14,7 +14,7 @@ import { viewCommands } from './commands/view.js';
 import { recall } from './keep.js';
 import { lenses } from './lens/lenses.js';
 import { noteOn } from './link/note.js';
-import { readLink } from './link/read.js';
+import { readLink, strangersIn } from './link/read.js';
 import { writeLink } from './link/write.js';
 import { openingObject, openingParameters, openingRun } from './opening.js';
 import { settlingTime } from './run/fit.js';
@@ -190,7 +190,11 @@ export class App {
     const { engine, session } = this;
     if (!engine || (session && text === this.link)) return false;
     const read = readLink(text, this.models, (run) => this.#accepts(run));
-    if (!read) return false;
+    if (!read) {
+      const note = noteOn(strangersIn(text), this.voice);
+      if (note) this.notes = [note];
+      return false;
+    }
     // A damaged link without a start would open on a wheel at rest, and say nothing of why.
     const isBare = read.problems.length > 0 && Object.keys(read.state.run.initial).length === 0;
     const run = isBare ? openingRun : read.state.run;

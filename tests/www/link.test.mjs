@@ -1,7 +1,7 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { noteOn } from '../../www/link/note.js';
-import { readLink } from '../../www/link/read.js';
+import { readLink, strangersIn } from '../../www/link/read.js';
 import { writeLink } from '../../www/link/write.js';
 import { voiceOf } from '../../www/words/voice.js';
 
@@ -150,4 +150,9 @@ test('of a thousand things that could not be read a few are told, each in short'
   const note = noteOn(read?.problems ?? [], voiceOf('en'));
   assert.ok(note && note.text.length < 500, `${note?.text.length} letters`);
   assert.match(note?.text ?? '', /and 996 more\.$/);
+});
+
+test('a link of nothing but misspelt keys says so; an anchor and a query do not', () => {
+  assert.deepEqual(strangersIn('#velocty=30&dampingConstnt=5').map(({ key, reason }) => [key, reason]), [['velocty', 'unknown'], ['dampingConstnt', 'unknown']]);
+  for (const text of ['', '#', '#top', '?utm=1']) assert.deepEqual(strangersIn(text), []);
 });

@@ -395,3 +395,12 @@ test('the energy of a cycle is told with the outlook', () => {
   assert.ok(energy);
   assert.ok(Math.abs(energy.tire - energy.damper - energy.treadWidth) < 1e-4 * energy.tire, 'on the cycle in equals out');
 });
+
+test('what goes in and out agrees with where the swing goes, from the first instant on', () => {
+  for (const velocity of [28, 30, 80]) {
+    const { store, session } = opened();
+    store.update({ parameters: { ...store.state.parameters, velocity }, run: { initial: { torsionAngle: 0.05 } } });
+    assert.equal(session.outlook.present.trend, 'growing', `${velocity} m/s`);
+    assert.ok((session.energy?.stored ?? 0) > 0, `${velocity} m/s: ${session.energy?.stored} J`);
+  }
+});

@@ -57,6 +57,16 @@ export function readLink(text, models, accepts) {
   return { state, problems };
 }
 
+/**
+ * What an address names that is no key at all: one that meant an experiment and misspelt it should hear so.
+ * @param {string} text the address' fragment
+ * @returns {Problem[]}
+ */
+export function strangersIn(text) {
+  if (!text.startsWith('#') || !text.includes('=')) return [];
+  return [...new URLSearchParams(text.slice(1, longestText))].map(([key, value]) => ({ key, value, reason: 'unknown' }));
+}
+
 /** @param {Table} table @returns {Linked} */
 function blank(table) {
   return {

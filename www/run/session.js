@@ -410,8 +410,22 @@ export class Session {
     const run = this.#onward;
     const outlook = this.#engine.outlook(run);
     const frequency = outlook.present.frequency ?? outlook.frequency;
-    this.#energy = frequency ? this.#engine.energy({ ...run, duration: 1 / frequency }) : null;
+    this.#energy = frequency ? this.#energyOfCycle(run, 1 / frequency) : null;
     return outlook;
+  }
+
+  /**
+   * The energy of the coming cycle. Just after a start or a blow the tire has yet to follow the wheel, which makes that
+   * cycle unlike all others: then it is the one after.
+   * @param {{ model: string, parameters: Readonly<Record<string, number>>, initial: Record<string, number>, maxSteps: number }} run
+   * @param {number} beat in s
+   */
+  #energyOfCycle(run, beat) {
+    const isFresh = this.time - Math.max(0, this.#live.struckAt) < beat;
+    if (!isFresh) return this.#engine.energy({ ...run, duration: beat });
+    const { time: _, events: __, stats: ___, ...states } = this.#engine.simulate({ ...run, duration: beat, samples: 2 });
+    const initial = Object.fromEntries(Object.entries(states).map(([name, series]) => [name, series[1]]));
+    return this.#engine.energy({ ...run, initial, duration: beat });
   }
 
   /** The largest ψ, ψ̇ and y of the motion now and to come. */
