@@ -30,7 +30,7 @@ export const lens = {
   'phase.view.deformation': 'y over ψ',
   'phase.view.orbit': 'Orbit in 3-D',
   'phase.view.spectrum': 'Spectrum',
-  'phase.view.spectrum-log': 'Spectrum, logarithmic',
+  'phase.view.spectrum-log': 'Log spectrum',
   'phase.name.deformation': 'Lateral deformation of the tire over torsion angle. The trail fades into the past; the dotted line is where the motion goes.',
   'phase.name.orbit': 'The motion in its state space: torsion angle, torsion rate and lateral deformation.',
   'phase.name.spectrum': 'Amplitude of the torsion angle at each frequency, over the last cycles.',

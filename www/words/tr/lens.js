@@ -30,7 +30,7 @@ export const lens = {
   'phase.view.deformation': 'y – ψ',
   'phase.view.orbit': '3 boyutlu yörünge',
   'phase.view.spectrum': 'Spektrum',
-  'phase.view.spectrum-log': 'Spektrum, logaritmik',
+  'phase.view.spectrum-log': 'Log spektrum',
   'phase.name.deformation': 'Burulma açısına karşı lastiğin yanal şekil değiştirmesi. İz geçmişe doğru solar; noktalı çizgi hareketin gittiği yerdir.',
   'phase.name.orbit': 'Hareket, durum uzayında: burulma açısı, burulma hızı ve yanal şekil değiştirme.',
   'phase.name.spectrum': 'Son çevrimlerde burulma açısının her frekanstaki genliği.',
