@@ -14,7 +14,7 @@ import { Stopwatch } from './stopwatch.js';
 const moments = [{ moment: 'wheel', at: 0 }, { moment: 'sentence', at: 3 }, { moment: 'breath', at: 8 }, { moment: 'over', at: 12 }];
 
 export class OpeningAct {
-  /** When its last moment begins, in s: where a page that must not move stands still. */
+  /** When the knob breathes, in s: where a page that must not move stands still. */
   static end = 8;
 
   #watch = new Stopwatch();
