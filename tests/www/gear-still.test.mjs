@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
 import { gearEn } from '../../www/words/gear.js';
 import { drawGear } from '../../www/stage/gear/draw.js';
-import { sheetFor } from '../../www/stage/gear/sheet.js';
+import { sheetFor, trackLength } from '../../www/stage/gear/sheet.js';
 import { RecordingContext } from './recording-context.mjs';
 import { sceneOf, sizes, theme } from './gear-scene.mjs';
 
@@ -125,8 +125,11 @@ test('without a cache nothing is stamped, and the same is drawn as where bitmaps
   assert.deepEqual(plain.texts, bare.texts);
 });
 
-test('however far the wheel trails, the sheet keeps an arc to read angles off', () => {
+test('however far the wheel trails, the sheet keeps an arc to read angles off, and its track is of the past', () => {
   for (const size of Object.values(sizes))
-    for (const casterLength of [-50, -5, 0, 1.5, 4, 5, 50])
-      assert.ok(sheetFor(size, { layout: 'desktop', parameters: { casterLength } }).protractor > 0, `e = ${casterLength}`);
+    for (const casterLength of [-50, -5, 0, 1.5, 4, 5, 50]) {
+      const scene = { layout: /** @type {const} */ ('desktop'), parameters: { casterLength } };
+      assert.ok(sheetFor(size, scene).protractor > 0, `e = ${casterLength}`);
+      assert.ok(trackLength(size, scene) >= 0, `no track from the future, e = ${casterLength}`);
+    }
 });

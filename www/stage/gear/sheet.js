@@ -147,5 +147,6 @@ export function sheetFor(size, scene) {
 export function trackLength(size, scene) {
   const sheet = sheetFor(size, scene);
   const { casterLength = 0, halfContactLength = 0 } = scene.parameters;
-  return sheet.axis.x / sheet.scale + halfContactLength - casterLength;
+  // A wheel that trails farther than the sheet is wide leaves its track outside of it.
+  return Math.max(0, sheet.axis.x / sheet.scale + halfContactLength - casterLength);
 }
