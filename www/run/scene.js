@@ -47,8 +47,9 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
   const roll = odometer.distanceAt(time);
   const trackFrom = Math.max(earliest, odometer.timeAt(roll - trackLength));
   const tracked = (/** @type {LiveRun} */ run, /** @type {number} */ shift) => {
-    const from = Math.max(run.range[0], trackFrom - shift);
-    const track = run.history(from, Math.max(from, run.time), 120);
+    // A distance turned back into a time may come out a rounding later than now.
+    const from = Math.min(run.time, Math.max(run.range[0], trackFrom - shift));
+    const track = run.history(from, run.time, 120);
     return { ...track, distance: track.time.map((at) => odometer.distanceAt(at + shift)) };
   };
   const ahead = { ...outlook.envelope, time: outlook.envelope.time.map((at) => at + lookedAt) };
