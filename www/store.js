@@ -3,9 +3,11 @@
  *
  * Undo walks what describes the experiment (object, parameters, run, links, ghosts), not how it is looked at; only where
  * another experiment was opened with a look of its own, the look comes back too. All changes of one gesture (a drag, a
- * series of arrow keys) are one step of undo.
+ * series of arrow keys) are one step of undo. What was done to the run under way comes back with its instant: undo takes
+ * the run to just before it, redo to where it had come to.
  *
  * @typedef {import('./run/live-run.js').Change} Change
+ * @typedef {import('./run/session.js').Place} Place
  * @typedef {import('./run/ghosts.js').Kept} Kept
  * @typedef {{
  *   object: string,
@@ -31,10 +33,8 @@
  *
  * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'story'>} Experiment
  * @typedef {Pick<State, 'clock' | 'lens' | 'views'>} Look
- * @typedef {Experiment & { look: Look | null, deed: Deed | null }} Entry a step of undo; `look`: where it comes back too
- * @typedef {{ time: number, before: Record<string, number>, again: Omit<Change, 'time'> }} Deed what was done to the run
- *   that is no change of a value: when, the state before it, and how to do it again
- * @typedef {{ direction: 'undo' | 'redo', deed: Deed | null }} Walk
+ * @typedef {Experiment & { look: Look | null, before: Place | null, after: Place | null }} Entry a step of undo; `look`: where
+ *   it comes back too; `before`: where the run was when it was done to it, if it was; `after`: where it was when that was undone
  */
 
 const longestMemory = 200;
@@ -43,7 +43,9 @@ export class Store {
   /** @type {Entry[]} */ #past = [];
   /** @type {Entry[]} */ #future = [];
   /** @type {string | null} */ #gesture = null;
-  /** @type {Set<(state: State, before: State, walk: Walk | null) => void>} */ #listeners = new Set();
+  /** @type {Set<(state: State, before: State, place: Place | null) => void>} */ #listeners = new Set();
+
+  /** Where the run is: whoever runs it says so. @type {() => Place | null} */ here = () => null;
 
   /** @param {State} state */
   constructor(state) {
@@ -62,12 +64,13 @@ export class Store {
    * Changes the state. Changes that carry the same gesture, with no other between, are undone together.
    * @param {Partial<State>} change
    * @param {string | null} [gesture]
+   * @param {Place | null} [place] where the run was before, if this was done to it
    */
-  update(change, gesture = null) {
+  update(change, gesture = null, place = null) {
     const before = this.state;
     const after = { ...before, ...change };
     if (!isSameExperiment(before, after)) {
-      if (gesture === null || gesture !== this.#gesture) this.#remember(before);
+      if (gesture === null || gesture !== this.#gesture) this.#remember(before, { place });
       this.#gesture = gesture;
     }
     this.#become(after, null);
@@ -80,7 +83,7 @@ export class Store {
   open(change) {
     const before = this.state;
     const after = { ...before, ...change };
-    if (!isSameExperiment(before, after)) this.#remember(before, { look: lookOf(before) });
+    if (!isSameExperiment(before, after)) this.#remember(before, { look: lookOf(before), place: this.here() });
     this.settle();
     this.#become(after, null);
   }
@@ -104,9 +107,9 @@ export class Store {
     this.#become({ ...this.state, ...change }, null);
   }
 
-  /** Something was done to the run that is no change of the state, and is a step of undo. @param {Deed} deed */
-  did(deed) {
-    this.#remember(this.state, { deed });
+  /** Something was done to the run that is no change of the state, and is a step of undo. @param {Place} place where it was before */
+  did(place) {
+    this.#remember(this.state, { place });
     this.settle();
     this.#become({ ...this.state }, null);
   }
@@ -125,8 +128,8 @@ export class Store {
   }
 
   /**
-   * Calls `listener` with the state and the one before it, after each change; with the walk where undo or redo made it.
-   * @param {(state: State, before: State, walk: Walk | null) => void} listener
+   * Calls `listener` with the state and the one before it, after each change; with the place that undo or redo goes to.
+   * @param {(state: State, before: State, place: Place | null) => void} listener
    * @returns {() => void} ends the subscription
    */
   subscribe(listener) {
@@ -134,28 +137,29 @@ export class Store {
     return () => this.#listeners.delete(listener);
   }
 
-  /** @param {State} before @param {Partial<Pick<Entry, 'look' | 'deed'>>} besides */
-  #remember(before, { look = null, deed = null } = {}) {
-    this.#past.push({ ...experimentOf(before), look, deed });
+  /** @param {State} state @param {{ look?: Look | null, place: Place | null }} besides */
+  #remember(state, { look = null, place: before }) {
+    this.#past.push({ ...experimentOf(state), look, before, after: null });
     if (this.#past.length > longestMemory) this.#past.shift();
     this.#future.length = 0;
   }
 
-  /** @param {Walk['direction']} direction @param {Entry[]} from @param {Entry[]} to */
+  /** @param {'undo' | 'redo'} direction @param {Entry[]} from @param {Entry[]} to */
   #walk(direction, from, to) {
     const entry = from.pop();
     if (!entry) return;
-    const { deed, look, ...experiment } = entry;
-    to.push({ ...experimentOf(this.state), look: look && lookOf(this.state), deed });
+    const { before, after, look, ...experiment } = entry;
+    const isBack = direction === 'undo';
+    to.push({ ...experimentOf(this.state), look: look && lookOf(this.state), before, after: isBack && before ? this.here() : after });
     this.settle();
-    this.#become({ ...this.state, ...experiment, ...look }, { direction, deed });
+    this.#become({ ...this.state, ...experiment, ...look }, isBack ? before : after);
   }
 
-  /** @param {State} after @param {Walk | null} walk */
-  #become(after, walk) {
+  /** @param {State} after @param {Place | null} place */
+  #become(after, place) {
     const before = this.state;
     this.state = after;
-    for (const listener of this.#listeners) listener(after, before, walk);
+    for (const listener of this.#listeners) listener(after, before, place);
   }
 }
 

@@ -127,19 +127,31 @@ test('subscribers hear the state and the one before it until they leave', () => 
   assert.deepEqual(heard, [[20, 30], [30, 20]]);
 });
 
-test('what was done to the run is a step of undo, and says how to take it back and do it again', () => {
+test('what was done to the run is a step of undo, which goes to where the run was before; redo goes to where it had come to', () => {
   const store = new Store(opening());
-  /** @type {unknown[]} */
-  const walks = [];
-  store.subscribe((_, __, walk) => walk && walks.push(walk));
-  const deed = { time: 0.2, before: { torsionAngle: 0.1 }, again: { kick: 10 } };
+  /** @type {(import('../../www/store.js').Place | null)[]} */
+  const gone = [];
+  store.subscribe((_, __, place) => place && gone.push(place));
+  const [first, second, third] = [0.2, 0.3, 0.4].map((time) => placeAt(time));
   damp(store, 30, 'c');
-  store.did(deed);
+  store.did(first);
   damp(store, 40, 'c');
   store.undo();
   assert.equal(store.state.parameters.dampingConstant, 30, 'a deed ends the gesture');
+  assert.deepEqual(gone, [], 'a value set without a run goes nowhere');
+  store.here = () => second;
   store.undo();
   assert.equal(store.state.parameters.dampingConstant, 30);
+  assert.deepEqual(gone, [first]);
+  store.here = () => third;
   store.redo();
-  assert.deepEqual(walks, [{ direction: 'undo', deed: null }, { direction: 'undo', deed }, { direction: 'redo', deed }]);
+  assert.deepEqual(gone, [first, second]);
+  store.undo();
+  assert.deepEqual(gone, [first, second, first], 'however often');
 });
+
+/** @param {number} time @returns {import('../../www/store.js').Place} */
+function placeAt(time) {
+  const start = { parameters: {}, initial: {} };
+  return { object: 'torsional', start, changes: [], isWhole: true, time, latest: time, state: {}, parameters: {}, legs: [] };
+}

@@ -1,6 +1,6 @@
 /**
  * A run under way: the engine's simulator, and a record of what has been done to it. From the record the run can be
- * begun again elsewhere: as a ghost beside it, from an address after a reload.
+ * begun again elsewhere, as from an address after a reload, and brought back to what it was, as undo and redo do.
  *
  * @typedef {import('../engine/engine.js').Engine} Engine
  * @typedef {{ time: number, set?: Record<string, number>, state?: Record<string, number>, kick?: number }} Change
@@ -8,6 +8,14 @@
  * @typedef {{
  *   object: string, parameters: Record<string, number>, initial: Record<string, number>, changes: readonly Change[], time: number,
  * }} Recipe `parameters`: those of the start; `time`: how far it goes, in s
+ * @typedef {Change & { gesture: string | null, since: number }} Done a change on record; changes of one gesture are one, that
+ *   began at `since`
+ * @typedef {{ parameters: Readonly<Record<string, number>>, initial: Record<string, number> }} Start
+ * @typedef {{
+ *   object: string, start: Start, changes: readonly Done[], isWhole: boolean, time: number, latest: number,
+ *   state: Record<string, number>, parameters: Readonly<Record<string, number>>,
+ * }} Place where a run is, and how it came there. `isWhole`: whether its record goes back to its start; `latest`: how far it
+ *   had come before it was taken back to `time`
  */
 
 /** Steps that one call may take. A gear of sensible size takes a few a millisecond; an absurd one is stopped. */
@@ -19,9 +27,9 @@ const longestRecord = 40;
 const longestTime = 60;
 
 export class LiveRun {
-  /** @type {(Change & { gesture: string | null })[]} */ #changes = [];
+  /** @type {readonly Done[]} */ #changes = [];
   /** Whether the record still goes back to the start. */ #isWhole = true;
-  #start;
+  /** @type {Start} */ #start;
   #simulator;
   #names;
 
@@ -102,23 +110,50 @@ export class LiveRun {
    * @param {Omit<Change, 'time'>} change
    * @param {string | null} [gesture] changes of one gesture are one in the record
    */
-  apply({ set, state, kick }, gesture = null) {
-    for (const [name, value] of Object.entries(set ?? {})) this.#simulator.set(name, value);
-    for (const [name, value] of Object.entries(state ?? {})) this.#simulator.setState(name, value);
-    if (kick !== undefined) this.#simulator.kick(kick);
-    if (set) this.parameters = { ...this.parameters, ...set };
-    this.#record({ time: this.time, gesture, ...(set && { set }), ...(state && { state }), ...(kick !== undefined && { kick }) });
+  apply(change, gesture = null) {
+    this.#enact(change);
+    const { set, state, kick } = change;
+    this.#record({ time: this.time, since: this.time, gesture, ...(set && { set }), ...(state && { state }), ...(kick !== undefined && { kick }) });
+  }
+
+  /** Where it is, and how it came there. @returns {Place} */
+  get place() {
+    const { object, time, parameters, stateByName: state } = this;
+    return { object, start: this.#start, changes: this.#changes, isWhole: this.#isWhole, time, latest: this.range[1], state, parameters };
+  }
+
+  /** Whether a place is one of this run. @param {Place} place */
+  knows({ start }) {
+    return start === this.#start;
   }
 
   /**
-   * Takes the run back to an instant, to the state before a hand touched it; all after it is forgotten. What else was
-   * done at that instant stays on record, so the state is written down after it.
-   * @param {number} time in s
-   * @param {Record<string, number>} state of then
+   * Brings the run to what it was at a place that it knows: back to where the two part, then on by the changes of then. What
+   * lies further back than is remembered is not lived again: its values and its state come to the present.
+   * @param {Place} place
    */
-  takeBack(time, state) {
+  goTo(place) {
+    const { changes, isWhole, time, latest, state, parameters } = place;
+    const [earliest, reached] = this.range;
+    const parting = partingOf(this.place, place);
+    if (Math.min(parting, time) < earliest) {
+      this.apply({ set: parameters, state });
+      return;
+    }
+    if (parting < Infinity) {
+      const isUndone = parting >= time;
+      this.seek(Math.min(isUndone ? time : parting, reached));
+      // What was done at this very instant has touched the state already: the place has it as it was.
+      if (isUndone) this.#enact({ set: parameters, state });
+      for (const change of changes.filter(({ since }) => (isUndone ? since > time : since >= parting))) {
+        this.#advanceTo(change.time);
+        this.#enact(change);
+      }
+      this.#advanceTo(latest);
+    }
+    this.#changes = changes;
+    this.#isWhole = isWhole;
     this.seek(time);
-    this.apply({ state });
   }
 
   /** @param {number} from @param {number} to @param {number} samples */
@@ -136,24 +171,28 @@ export class LiveRun {
    * @returns {Recipe}
    */
   get recipe() {
-    const { time } = this;
-    const changes = this.#changes.filter((change) => change.time <= time).map(({ gesture: _, ...change }) => change);
-    const { parameters, initial } = this.#start;
-    if (this.#isWhole && changes.length <= longestRecord && time <= longestTime) return { object: this.object, parameters, initial, changes, time };
-    return { object: this.object, parameters: this.parameters, initial, changes: [{ time: 0, state: this.stateByName }], time: 0 };
+    return recipeOf(this.place);
   }
 
   free() {
     this.#simulator.free();
   }
 
-  /** @param {Change & { gesture: string | null }} change */
+  /** @param {Omit<Change, 'time'>} change */
+  #enact({ set, state, kick }) {
+    for (const [name, value] of Object.entries(set ?? {})) this.#simulator.set(name, value);
+    for (const [name, value] of Object.entries(state ?? {})) this.#simulator.setState(name, value);
+    if (kick !== undefined) this.#simulator.kick(kick);
+    if (set) this.parameters = { ...this.parameters, ...set };
+  }
+
+  /** @param {Done} change */
   #record(change) {
-    this.#changes = this.#changes.filter(({ time }) => time <= change.time);
-    const last = this.#changes.at(-1);
+    const before = this.#changes.filter(({ time }) => time <= change.time);
+    const last = before.at(-1);
     const isSame = last && change.gesture !== null && last.gesture === change.gesture;
-    if (isSame) this.#changes[this.#changes.length - 1] = { ...last, ...change, set: last.set && { ...last.set, ...change.set } };
-    else this.#changes.push(change);
+    const merged = isSame && { ...last, ...change, since: last.since, set: last.set && { ...last.set, ...change.set } };
+    this.#changes = merged ? [...before.slice(0, -1), merged] : [...before, change];
     if (this.#changes.length <= 4 * longestRecord) return;
     this.#changes = this.#changes.slice(-2 * longestRecord);
     this.#isWhole = false;
@@ -163,4 +202,26 @@ export class LiveRun {
   #advanceTo(time) {
     while (this.time < time - 1e-12) this.#simulator.advance(Math.min(stretch, time - this.time));
   }
+}
+
+/**
+ * How to begin a run and come to a place of it.
+ * @param {Place} place
+ * @returns {Recipe}
+ */
+export function recipeOf({ object, start, changes, isWhole, time, state, parameters }) {
+  const until = changes.filter((change) => change.time <= time).map(({ gesture: _, since: __, ...change }) => change);
+  const { initial } = start;
+  if (isWhole && until.length <= longestRecord && time <= longestTime) return { object, parameters: { ...start.parameters }, initial, changes: until, time };
+  return { object, parameters: { ...parameters }, initial, changes: [{ time: 0, state }], time: 0 };
+}
+
+/**
+ * When the records of two places of one run part; never where they are the same. What one of them has forgotten was common.
+ * @param {Place} one @param {Place} other
+ */
+function partingOf(one, other) {
+  const known = Math.max(...[one, other].map(({ isWhole, changes }) => (isWhole ? -Infinity : changes[0].since)));
+  const alone = [...one.changes, ...other.changes].filter((change) => !one.changes.includes(change) || !other.changes.includes(change));
+  return alone.reduce((first, { since }) => (since >= known ? Math.min(first, since) : first), Infinity);
 }

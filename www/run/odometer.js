@@ -7,7 +7,17 @@
  * it is set to since. Kept in legs of one speed each.
  */
 export class Odometer {
-  /** @type {Leg[]} */ #legs = [{ time: 0, distance: 0, velocity: 0 }];
+  /** @type {readonly Leg[]} */ #legs;
+
+  /** @param {readonly Leg[]} [legs] what was driven before */
+  constructor(legs = [{ time: 0, distance: 0, velocity: 0 }]) {
+    this.#legs = legs;
+  }
+
+  /** What has been driven. */
+  get legs() {
+    return this.#legs;
+  }
 
   /**
    * The run goes on from `time` at this speed; what was driven after it is forgotten.
@@ -19,8 +29,8 @@ export class Odometer {
     const distance = this.distanceAt(time);
     const now = this.#legAt(time);
     const from = Math.max(0, this.#legs.findIndex((_, i) => i + 1 >= this.#legs.length || this.#legs[i + 1].time > earliest));
-    this.#legs = this.#legs.slice(from, this.#legs.indexOf(now) + 1);
-    if (now.velocity !== velocity) this.#legs.push({ time, distance, velocity });
+    const driven = this.#legs.slice(from, this.#legs.indexOf(now) + 1);
+    this.#legs = now.velocity === velocity ? driven : [...driven, { time, distance, velocity }];
   }
 
   /** @param {number} time in s, @returns {number} in m */

@@ -15,6 +15,7 @@
 
 import { roundStep } from '../view/scale.js';
 import { spanFor } from './fit.js';
+import { onward } from './lookout.js';
 
 /** Cycles that the trail shows, and that of a ghost. */
 const pastCycles = 8;
@@ -32,14 +33,14 @@ const poses = 16;
 /**
  * @param {{
  *   engine: Engine, live: LiveRun, past: import('./past-envelope.js').PastEnvelope, odometer: import('./odometer.js').Odometer,
- *   outlook: Outlook, scales: { magnification: number, limits: import('./fit.js').Swing, forces: { force: number, moment: number } },
- *   frequency: number | null, ghosts: import('./ghosts.js').Ghosts, energy: Energy | null, lookedAt: number, stepsAhead: number, isHeld: boolean,
+ *   lookout: import('./lookout.js').Lookout, scales: import('./scales.js').Scales, ghosts: import('./ghosts.js').Ghosts, isHeld: boolean,
  * }} session
  * @param {Wanted} wanted
  */
-export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, scales, frequency, ghosts, energy, lookedAt, stepsAhead, isHeld }, wanted) {
+export function sceneOf({ engine, live, past: pastEnvelope, odometer, lookout, scales, ghosts, isHeld }, wanted) {
   const { moment, trackLength, stretches, exposure, duration } = wanted;
   const { time, parameters, object, state } = live;
+  const { outlook, energy, frequency, ahead } = lookout;
   const [earliest] = live.range;
   const beat = 1 / (frequency ?? 50);
   const since = (/** @type {number} */ span) => Math.max(earliest, time - span);
@@ -52,7 +53,6 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
     const track = run.history(from, run.time, 120);
     return { ...track, distance: track.time.map((at) => odometer.distanceAt(at + shift)) };
   };
-  const ahead = { ...outlook.envelope, time: outlook.envelope.time.map((at) => at + lookedAt) };
   const span = spanFor(ahead, time, live.range, duration);
   const stretch = Math.max((span.to - span.from) / stretches, roundStep(beat));
   const model = { model: object, parameters };
@@ -61,7 +61,7 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, outlook, s
     forces: engine.forces(model, state),
     past, orbitPast,
     track: tracked(live, 0),
-    future: isHeld ? endOf(past, time) : engine.simulate({ ...model, initial: live.stateByName, duration: moment[1], samples: 60, rtol: 1e-6, maxSteps: stepsAhead }),
+    future: isHeld ? endOf(past, time) : engine.simulate({ ...onward(live), duration: moment[1], samples: 60, rtol: 1e-6 }),
     run: { ...span, past: pastEnvelope.upTo(live, span.from, stretch), future: ahead },
     extremes: extremes(past, time - beat),
     trail: [3, 2, 1].map((twelfths) => poseAt(past, time - (twelfths * beat) / 12)).filter((pose) => pose !== null),
