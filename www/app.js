@@ -210,6 +210,7 @@ export class App {
       leave(this);
       this.store.open(change);
     } else this.store.follow(change);
+    this.ink.bring(read.drawn);
     this.act = null;
     if (this.isVeiled) this.clock.pause();
     const note = noteOn(read.problems, this.voice);
@@ -220,7 +221,7 @@ export class App {
 
   /** The whole state as an address; empty before there is one. */
   get link() {
-    return this.engine && this.session ? writeLink(this.state, this.session.recipe, this.models) : '';
+    return this.engine && this.session ? writeLink(this.state, this.session.recipe, this.models, this.ink.lasting) : '';
   }
 
   /** The rate by hand, else the one for the motion that the run settles on; and the beat that the strobe locks to. */

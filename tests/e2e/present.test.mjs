@@ -280,6 +280,23 @@ test('what a pen draws stays with its view, is taken back stroke by stroke, and 
   await leave();
 });
 
+test('what a pen drew survives a reload, as the address carries it', async () => {
+  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  await untilVerdict(page, 'It shimmies');
+  await page.keyboard.press('d');
+  await draw(page, gear, [[0.2, 0.3], [0.4, 0.6], [0.3, 0.8]]);
+  await draw(page, plot, [[0.3, 0.3], [0.7, 0.7]]);
+  await page.waitForTimeout(100);
+  const drawn = [await inked(page, gear), await inked(page, plot)];
+  await page.waitForFunction(() => (location.hash.match(/pen=/g) ?? []).length === 2);
+  await page.reload();
+  await untilVerdict(page, 'It shimmies');
+  await page.waitForTimeout(300);
+  const again = [await inked(page, gear), await inked(page, plot)];
+  drawn.forEach((count, i) => assert.ok(Math.abs(again[i] / count - 1) < 0.05, `${count} → ${again[i]}`));
+  await leave();
+});
+
 test('a stroke keeps its place when the window changes its size', async () => {
   const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');

@@ -44,7 +44,7 @@ test('what a link carries comes back, to the last bit', () => {
   };
   for (const one of [linked, odd, other]) {
     const read = readLink(writeLink(one, { ...fresh, parameters: one.parameters }, models), models, accepts);
-    assert.deepEqual(read, { state: one, problems: [] });
+    assert.deepEqual(read, { state: one, drawn: [], problems: [] });
   }
   const withLink = models.map((table) => ({ ...table, parameters: [...table.parameters, { name: 'relaxationLength', default: 0.3 }] }));
   const read = readLink(writeLink(looked, fresh, withLink), withLink, accepts);
@@ -93,7 +93,7 @@ test('a damaged record is left out, part by part', () => {
 
 test('a link of version 1 opens as it did', () => {
   const read = readLink('#shimmy=1&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&slow=25', models, accepts);
-  assert.deepEqual(read, { state: linked, problems: [] });
+  assert.deepEqual(read, { state: linked, drawn: [], problems: [] });
 });
 
 test('an address without an experiment is none', () => {

@@ -4,23 +4,25 @@
  *
  * @typedef {import('../store.js').State} State
  * @typedef {import('../run/live-run.js').Change} Change
+ * @typedef {import('./pen.js').Drawn} Drawn
  * @typedef {import('./write.js').Table} Table
  * @typedef {{ key: string, value: string, reason: 'unknown' | 'not-a-number' | 'too-large' | 'refused' | 'newer' | 'version' | 'missing' | 'twice' | 'unclear' | 'unknown-story', instead?: number }} Problem
  * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story' | 'predict' | 'isBig'> & { velocityUnit?: State['velocityUnit'] }} Linked
  *   an address that names no unit leaves the speed in the reader's own
  * @typedef {(run: { model: string, parameters: Record<string, number>, initial: Record<string, number> }) => boolean} Accepts
  *   whether the engine takes these values
- * @typedef {{ state: Linked, run: { initial: Record<string, number>, start: Record<string, number>, changes: Change[], time: number }, table: Table, models: Table[], accepts: Accepts }} Reading
+ * @typedef {{ state: Linked, run: { initial: Record<string, number>, start: Record<string, number>, changes: Change[], time: number }, drawn: Drawn[], table: Table, models: Table[], accepts: Accepts }} Reading
  */
 
 import { isVelocityUnit } from '../controls/unit.js';
 import { lenses } from '../lens/lenses.js';
 import { mostGhosts } from '../run/ghosts.js';
 import { slowRates } from '../run/rate.js';
+import { mostStrokes, strokeOf } from './pen.js';
 import { version } from './write.js';
 
-/** A text longer than this is no address of ours: ours has some forty changes and four ghosts at most. */
-const longestText = 20_000;
+/** A text longer than this is no address of ours: ours has some forty changes, four ghosts and a few dozen strokes at most. */
+const longestText = 60_000;
 /** A run of an address goes no further than this, or a slip of the hand would keep the page busy for minutes, in s. */
 const longestRun = 120;
 
@@ -28,7 +30,7 @@ const longestRun = 120;
  * @param {string} text the address' fragment or query
  * @param {Table[]} models the first is the one that need not be named
  * @param {Accepts} accepts
- * @returns {{ state: Linked, problems: Problem[] } | null} null where the address carries no experiment
+ * @returns {{ state: Linked, drawn: Drawn[], problems: Problem[] } | null} null where the address carries no experiment
  */
 export function readLink(text, models, accepts) {
   const pairs = [...new URLSearchParams(text.slice(0, longestText).replace(/^[#?]/, ''))];
@@ -39,13 +41,13 @@ export function readLink(text, models, accepts) {
   const reading = {
     state: blank(table),
     run: { initial: /** @type {Record<string, number>} */ ({}), start: /** @type {Record<string, number>} */ ({}), changes: /** @type {Change[]} */ ([]), time: 0 },
-    table, models, accepts,
+    drawn: /** @type {Drawn[]} */ ([]), table, models, accepts,
   };
   /** @type {Problem[]} */
   const problems = hasVersion ? [] : [{ key: 'shimmy', value: '1', reason: 'missing' }];
   const seen = new Set();
   for (const [key, value] of pairs) {
-    const isRepeated = seen.has(key) && !['do', 'ghost'].includes(key);
+    const isRepeated = seen.has(key) && !['do', 'ghost', 'pen'].includes(key);
     seen.add(key);
     const reason = isRepeated ? 'twice' : readPair(reading, key, value);
     if (reason) problems.push({ key, value, reason });
@@ -54,7 +56,7 @@ export function readLink(text, models, accepts) {
   state.run = runOf(reading.run);
   for (const problem of problems)
     if (isOfTable(problem.key, table)) problem.instead = state.parameters[problem.key] ?? state.run.initial[problem.key.replace('initial.', '')] ?? 0;
-  return { state, problems };
+  return { state, drawn: reading.drawn, problems };
 }
 
 /**
@@ -155,6 +157,13 @@ export const readers = {
   predict: ({ state }, value) => {
     if (value !== '1') return 'unclear';
     state.predict = { guess: null, outcome: null };
+    return null;
+  },
+  pen: ({ drawn }, value) => {
+    const stroke = strokeOf(value);
+    if (!stroke) return 'unclear';
+    if (drawn.length >= mostStrokes) return 'refused';
+    drawn.push(stroke);
     return null;
   },
   big: ({ state }, value) => {

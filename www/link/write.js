@@ -15,6 +15,7 @@
  * | `ghost` | a run kept beside: the time it was kept at, its model, values, and its state then |
  * | `clock`, `slow`, `lens`, `view.…`, `story`, `big` | how it is looked at; `view.velocityUnit` where the speed is not shown in m/s |
  * | `predict` | what comes is to be guessed first |
+ * | `pen` | what a pen drew, as pen.js writes it; once a stroke |
  *
  * @typedef {import('../store.js').State} State
  * @typedef {import('../run/live-run.js').Recipe} Recipe
@@ -23,6 +24,7 @@
  */
 
 import { lenses } from '../lens/lenses.js';
+import { penPairs } from './pen.js';
 
 export const version = 2;
 
@@ -30,8 +32,9 @@ export const version = 2;
  * @param {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story' | 'predict' | 'isBig'> & { velocityUnit?: State['velocityUnit'] }} state
  * @param {Pick<Recipe, 'parameters' | 'changes' | 'time'>} recipe how the run came to where it is
  * @param {Table[]} models the first is the one that is not named
+ * @param {readonly import('./pen.js').Drawn[]} [drawn] by a pen
  */
-export function writeLink(state, recipe, models) {
+export function writeLink(state, recipe, models, drawn = []) {
   const table = models.find(({ name }) => name === state.object) ?? models[0];
   const pairs = [`shimmy=${version}`];
   if (table !== models[0]) pairs.push(`model=${table.name}`);
@@ -49,6 +52,7 @@ export function writeLink(state, recipe, models) {
   // What has been revealed is no riddle any more.
   if (state.predict && !state.predict.outcome) pairs.push('predict=1');
   if (state.isBig) pairs.push('big=1');
+  pairs.push(...penPairs(drawn));
   return `#${pairs.join('&')}`;
 }
 

@@ -32,6 +32,17 @@ export class Ink {
     if (points.length > 0) this.#strokes = [...this.#strokes, { view, points, strength: 1 }];
   }
 
+  /** What stays if it is left alone: fading ink does not. */
+  get lasting() {
+    return this.#strokes.filter(({ strength }) => this.isPinned || strength === 1);
+  }
+
+  /** What was drawn elsewhere takes the place of what was here; it stays. @param {readonly { view: string, points: readonly Point[] }[]} drawn */
+  bring(drawn) {
+    this.#strokes = drawn.map(({ view, points }) => ({ view, points, strength: 1 }));
+    this.isPinned = drawn.length > 0;
+  }
+
   /** Takes back the last stroke of those that are seen. */
   undo() {
     const last = this.#strokes.findLastIndex(({ view }) => this.shown.includes(view));
