@@ -1,5 +1,7 @@
 //! A moment of a live motion, from which it can be taken up.
 
+use std::sync::Arc;
+
 use super::codec::Codec;
 use crate::{
     integrate::{Failure, Integrator},
@@ -38,15 +40,17 @@ impl<S: Gear<N>, const N: usize> Cursor<S, N> {
         &self.parameters[..self.tables.description.parameters.len()]
     }
 
-    /// Makes a change at time `t` within the last step. Where it cannot be made, nothing changes.
-    pub fn apply(&mut self, t: f64, change: Change) -> Result<(), Failure> {
+    /// Makes a change at time `t` within the last step. Where it cannot be made, nothing changes. `known` is the system that
+    /// a parameter's change leads to, where it has been made before: to make one takes as long as hundreds of steps.
+    pub fn apply(&mut self, t: f64, change: Change, known: Option<&Arc<S>>) -> Result<(), Failure> {
         let mut x = self.integrator.interpolate(t);
         match change {
             Change::Parameter { index, value } => {
                 let mut parameters = self.parameters;
                 parameters[index] = value;
                 let count = self.parameters().len();
-                self.integrator.replace((self.tables.new)(&parameters[..count]), t, x)?;
+                let system = known.cloned().unwrap_or_else(|| Arc::new((self.tables.new)(&parameters[..count])));
+                self.integrator.replace(system, t, x)?;
                 self.parameters = parameters;
             }
             Change::State { index, value } => {

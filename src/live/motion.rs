@@ -29,7 +29,7 @@ pub(crate) struct Motion<S: 'static, const N: usize> {
     /// The latest time that has been shown.
     latest: f64,
     keyframes: Keyframes<S, N>,
-    journal: Journal,
+    journal: Journal<S>,
     trace: Columns,
 }
 
@@ -44,12 +44,12 @@ impl<S: Gear<N>, const N: usize> Motion<S, N> {
 
     /// Makes a change now.
     fn change(&mut self, change: Change) -> Result<()> {
-        let before = self.present.clone();
-        self.present.apply(self.time, change).map_err(|_| {
+        let before = self.present.applied;
+        self.present.apply(self.time, change, None).map_err(|_| {
             let at = shown(self.time);
             Error::new(Code::Diverged, "the motion", at, "with this change its rate is not finite; it goes on without")
         })?;
-        self.journal.write(&before, self.time, change);
+        self.journal.write(before, self.time, change, self.present.integrator.system());
         self.keyframes.forget_after(self.time);
         self.latest = self.time;
         // The rest of the step that was under way does not happen.

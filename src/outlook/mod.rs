@@ -139,7 +139,7 @@ fn resting<const N: usize>(x: [f64; N]) -> Outlook {
 fn lives_on_freeplay<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, look: &Look<S, N>) -> Result<bool> {
     let Some(system) = posed.system.without_freeplay() else { return Ok(false) };
     let mut motion = posed.motion(posed.run.horizon() / 20.0)?;
-    motion.replace(system, 0.0, *look.motion.state()).map_err(|failure| failed(failure, 0.0))?;
+    motion.replace(system.into(), 0.0, *look.motion.state()).map_err(|failure| failed(failure, 0.0))?;
     let without = look_ahead(motion, posed.tables.description.state, posed.run.horizon(), posed.run.max_steps())?;
     Ok(matches!(without.end, End::Dies))
 }

@@ -185,8 +185,8 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     ///
     /// # Errors
     /// As [`Integrator::restart`]; then the old system stays.
-    pub fn replace(&mut self, system: S, t: f64, x: [f64; N]) -> Result<(), Failure> {
-        let before = std::mem::replace(&mut self.system, Arc::new(system));
+    pub fn replace(&mut self, system: Arc<S>, t: f64, x: [f64; N]) -> Result<(), Failure> {
+        let before = std::mem::replace(&mut self.system, system);
         self.restart(t, x).inspect_err(|_| self.system = before)
     }
 
@@ -217,8 +217,8 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         &self.from_x
     }
 
-    /// The system that moves.
-    pub fn system(&self) -> &S {
+    /// The system that moves, shared with whoever else runs it.
+    pub fn system(&self) -> &Arc<S> {
         &self.system
     }
 
