@@ -92,8 +92,10 @@ export class PlotLens extends LitElement {
     this.canvas?.redraw();
   }
 
-  updated() {
-    this.canvas?.redraw();
+  /** @param {Map<string, unknown>} changed */
+  updated(changed) {
+    // What the engine sees ahead comes with a frame, which is drawn anyway.
+    if (['voice', 'shows', 'isVeiled', 'quantities'].some((name) => changed.has(name))) this.canvas?.redraw();
   }
 
   get canvas() {

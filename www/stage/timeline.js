@@ -89,8 +89,10 @@ export class Timeline extends LitElement {
       </label>`;
   }
 
-  updated() {
-    this.#canvas?.redraw();
+  /** @param {Map<string, unknown>} changed */
+  updated(changed) {
+    // Time and angle come with a frame, which is drawn anyway.
+    if (['voice', 'shown', 'quantities', 'isVeiled', 'reading'].some((name) => changed.has(name))) this.#canvas?.redraw();
   }
 
   /**

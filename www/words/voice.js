@@ -16,11 +16,22 @@ import { formatNumber, formatPower } from './number.js';
 /** @type {Record<Language, Record<Key, string>>} */
 export const languages = { en, tr };
 
+/** @type {Map<Language, Voice>} */
+const voices = new Map();
+
 /**
+ * The voice of a language: always the same, so that an element whose words have not changed is not rendered anew.
  * @param {Language} language
  * @returns {Voice}
  */
 export function voiceOf(language) {
+  const voice = voices.get(language) ?? spoken(language);
+  voices.set(language, voice);
+  return voice;
+}
+
+/** @param {Language} language @returns {Voice} */
+function spoken(language) {
   const words = languages[language];
   return {
     language,
