@@ -40,6 +40,49 @@ for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024
     await leave();
   });
 
+/** The edges of what is shown, by selector. @param {import('playwright-core').Page} page @param {string[]} parts */
+const edges = (page, ...parts) => page.evaluate((names) => names.map((name) => {
+  const { left, right, top, bottom } = /** @type {Element} */ (document.querySelector(name)).getBoundingClientRect();
+  return { left, right, top, bottom };
+}), parts);
+
+for (const [width, height] of [[1440, 900], [1366, 620], [1100, 700], [1024, 768]])
+  test(`the lens is beside the stage at ${width} × ${height}`, async () => {
+    const { page, leave } = await open(browser, server.address, { viewport: { width, height } });
+    await untilVerdict(page, 'It shimmies');
+    const [stage, lens] = await edges(page, 'shimmy-stage', '.lens');
+    assert.ok(lens.left >= stage.right - 1 && lens.right === width, 'beside it');
+    await leave();
+  });
+
+// 720 × 450 is a laptop's 1440 × 900, zoomed to 200 %.
+for (const [width, height] of [[720, 450], [900, 600], [1050, 620], [768, 1024], [390, 844]])
+  test(`the lens is under the stage at ${width} × ${height}, and each of its parts can be scrolled into sight`, async () => {
+    const { page, leave } = await open(browser, `${server.address}#shimmy=2&initial.torsionAngle=0.05&story=first-look`, { viewport: { width, height } });
+    await untilVerdict(page, 'It shimmies');
+    const [beneath, over] = await edges(page, '.lens', 'shimmy-stage');
+    assert.ok(beneath.top >= over.bottom - 1 && beneath.left === 0 && beneath.right === width, 'under it, as wide as the page');
+    for (const part of ['.tabs', '#lens-panel .plot', '#lens-panel footer', 'shimmy-why summary', 'shimmy-strip']) {
+      await page.evaluate((name) => document.querySelector(name)?.scrollIntoView({ block: 'nearest' }), part);
+      const [shown, stage, dock] = await edges(page, part, 'shimmy-stage', 'shimmy-dock');
+      assert.ok(shown.top >= stage.bottom - 1 && shown.bottom <= dock.top + 1, `${part}: ${JSON.stringify({ shown, stage, dock })}`);
+    }
+    await page.locator('.chips button').last().click();
+    await page.waitForTimeout(300);
+    const [close, stage, dock] = await edges(page, 'shimmy-drawer header button', 'shimmy-stage', 'shimmy-dock');
+    assert.ok(close.top >= stage.bottom && close.bottom <= dock.top, 'the way out of all values is in sight');
+    await leave();
+  });
+
+test('what is narrow and low scrolls as a whole, with nothing in the way', async () => {
+  const { page, leave } = await open(browser, server.address, { viewport: { width: 360, height: 320 } });
+  await untilVerdict(page, 'It shimmies');
+  await page.evaluate(() => window.scrollTo(0, 10_000));
+  const [stage, dock] = await edges(page, 'shimmy-stage', 'shimmy-dock');
+  assert.ok(stage.bottom < 0 && dock.bottom <= 321, 'the stage is gone, the slider is at the end');
+  await leave();
+});
+
 /** @param {import('playwright-core').Page} page @returns {Promise<string[]>} */
 async function violations(page) {
   await page.evaluate(axe);
