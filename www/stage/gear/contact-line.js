@@ -8,6 +8,7 @@
  * @module
  */
 
+import { heldLine } from './bend.js';
 import { drawnAngle, drawnDeformation } from './pose.js';
 
 /** @typedef {import('./scene.js').Scene} Scene */
@@ -64,11 +65,21 @@ export function traceBehind(scene, pose, length) {
  */
 
 /**
+ * As it is drawn: as far as a tire bends.
+ *
+ * @param {Trace} trace
+ * @param {Pose} pose
+ */
+export const contactLine = (trace, pose) => heldLine(restingLine(trace, pose));
+
+/**
+ * On the track, however that bends the tire.
+ *
  * @param {Trace} trace
  * @param {Pose} pose
  * @returns {ContactLine}
  */
-export function contactLine(trace, pose) {
+export function restingLine(trace, pose) {
   const line = { l: [pose.half], n: [pose.deformation] };
   let lastL = pose.half;
   let lastN = pose.deformation;

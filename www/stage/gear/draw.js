@@ -7,7 +7,8 @@
  * @module
  */
 
-import { contactLine, traceBehind } from './contact-line.js';
+import { bendsFurther, heldLine } from './bend.js';
+import { restingLine, traceBehind } from './contact-line.js';
 import { bladesOf, drawPlaneFan, drawTrackFan, drawWheelFan, swingOf } from './fan.js';
 import { forceArrows, drawForces } from './forces.js';
 import { drawFork, drawSteeringAxis } from './fork.js';
@@ -83,7 +84,8 @@ const trackSeen = ({ sheet, pose }) => 1.1 * (sheet.axis.x / sheet.scale + pose.
 function drawTop(desk) {
   const { ctx, sheet, scene, pose, theme, words } = desk;
   const trace = traceBehind(scene, pose, trackSeen(desk));
-  const line = contactLine(trace, pose);
+  const resting = restingLine(trace, pose);
+  const line = heldLine(resting);
   const shape = tireShape(pose, line);
   const arrows = forceArrows(sheet, scene, pose, line);
 
@@ -104,7 +106,7 @@ function drawTop(desk) {
     drawForces(ctx, sheet, arrows, theme);
   });
   drawHead(ctx, sheet, scene, theme);
-  writeTopNotes(desk);
+  writeTopNotes(desk, bendsFurther(scene, resting));
   blockMovingParts(desk, shape, arrows);
   writeHeadLabels(desk);
   writeTopLabels(desk, arrows);

@@ -15,10 +15,12 @@ import { onSheet, within } from './pose.js';
 /** @typedef {import('./theme.js').Theme} Theme */
 
 /**
- * From the band's edge to the tip of the longest arrow [m]: so far does the contact swing aside, and
- * the arrow must end on the band. And the longest arc [rad].
+ * From the band's edge to the tip of the longest arrow [m]: so far does the contact swing aside in
+ * an ordinary swing. Where it swings further the arrow slides back along its line, as a force may, and
+ * ends so many px from the edge. And the longest arc [rad].
  */
 const ROOM_TO_SWING = 0.03;
+const CLEARANCE = 6;
 const LONGEST_ARC = 1.05;
 /** The arc's distance behind the contact center, beyond the wheel's radius [m]. */
 const ARC_CLEARANCE = 0.05;
@@ -43,11 +45,11 @@ export function forceArrows(sheet, scene, pose, line) {
   const longest = (sheet.band.bottom - sheet.band.top) / 2 - ROOM_TO_SWING * sheet.scale;
   const length = longest * share(sideForce, force);
   const bend = bendAt(line, pose, 0);
-  const from = onSheet(sheet, pose, 0, bend);
+  const side = onTheBand(sheet, onSheet(sheet, pose, 0, bend), onSheet(sheet, pose, 0, bend + length / sheet.scale));
   const center = onSheet(sheet, pose, 0, 0);
   const start = Math.PI - pose.angle;
   return {
-    side: { from, to: onSheet(sheet, pose, 0, bend + length / sheet.scale), length: Math.abs(length) },
+    side: { ...side, length: Math.abs(length) },
     moment: {
       x: center.x,
       y: center.y,
@@ -56,6 +58,22 @@ export function forceArrows(sheet, scene, pose, line) {
       end: start - LONGEST_ARC * share(aligningMoment, moment),
     },
   };
+}
+
+/**
+ * An arrow, slid back along its line until its tip is on the band.
+ *
+ * @param {Sheet} sheet
+ * @param {{x: number, y: number}} from
+ * @param {{x: number, y: number}} to
+ */
+function onTheBand({ band, width }, from, to) {
+  const over = (/** @type {number} */ at, /** @type {number} */ low, /** @type {number} */ high) =>
+    Math.max(0, low + CLEARANCE - at, at - high + CLEARANCE);
+  const [dx, dy] = [to.x - from.x, to.y - from.y];
+  const back = Math.max(share(over(to.x, 0, width), Math.abs(dx)), share(over(to.y, band.top, band.bottom), Math.abs(dy)));
+  const slid = (/** @type {{x: number, y: number}} */ { x, y }) => ({ x: x - back * dx, y: y - back * dy });
+  return { from: slid(from), to: slid(to) };
 }
 
 /** A value as a share of its full scale, −1.1 … 1.1. @param {number} value @param {number} full */

@@ -7,21 +7,21 @@
  * @module
  */
 
+import { heldDeformation } from './bend.js';
 import { WHEEL_RADIUS, WHEEL_WIDTH } from './sheet.js';
 
 /** @typedef {import('./scene.js').Scene} Scene */
 /** @typedef {import('./sheet.js').Sheet} Sheet */
 
-/** Beyond these the drawing stands still: the model is not trusted there, and numbers tell. */
+/** Beyond this the drawn wheel stands still: the model is not trusted there, and numbers tell. */
 export const LARGEST_ANGLE = (75 * Math.PI) / 180;
-const LARGEST_DEFORMATION = 0.4;
 
 /**
  * @typedef {object} Pose
  * @property {number} angle drawn angle of the wheel, Mψ [rad]
  * @property {number} cos
  * @property {number} sin
- * @property {number} deformation drawn deformation at the leading contact point, My [m]
+ * @property {number} deformation drawn deformation at the leading contact point, My as far as a tire bends [m]
  * @property {number} caster e [m]
  * @property {number} half half contact length a [m]
  * @property {number} relaxation relaxation length σ [m]
@@ -34,8 +34,8 @@ export const within = (value, limit) => Math.min(limit, Math.max(-limit, Number.
 /** Mψ [rad]. @param {Scene} scene @param {number} psi */
 export const drawnAngle = (scene, psi) => within(scene.magnification * psi, LARGEST_ANGLE);
 
-/** My [m]. @param {Scene} scene @param {number} y */
-export const drawnDeformation = (scene, y) => within(scene.magnification * y, LARGEST_DEFORMATION);
+/** My as far as a tire bends [m]. @param {Scene} scene @param {number} y */
+export const drawnDeformation = (scene, y) => heldDeformation(within(scene.magnification * y, Infinity));
 
 /**
  * @param {Scene} scene

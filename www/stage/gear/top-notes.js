@@ -19,13 +19,16 @@ const MARGIN = 16;
 const SAMPLE = 26;
 const TRACK_NOTE_AT = 12;
 
-/** @param {Desk} desk */
-export function writeTopNotes(desk) {
+/**
+ * @param {Desk} desk
+ * @param {boolean} [isHeld] whether the tire bends further than it is drawn
+ */
+export function writeTopNotes(desk, isHeld = false) {
   const { sheet, placer } = desk;
   placer.blockCircle({ ...sheet.head, radius: sheet.head.radius + 2 });
   placer.blockBox(protractorBox(sheet));
   const right = writeSpeed(desk);
-  const left = writeScale(desk, Math.min(right, noteEnd(desk)));
+  const left = writeScale(desk, Math.min(right, noteEnd(desk)), isHeld);
   if (desk.scene.fan?.length) writeTooFast(desk, left, right);
   if (sheet.roomy) writeTrack(desk);
   writeGhosts(desk);
@@ -72,22 +75,25 @@ function writeSpeed(desk) {
  *
  * @param {Desk} desk
  * @param {number} end
+ * @param {boolean} isHeld
  */
-function writeScale(desk, end) {
+function writeScale(desk, end, isHeld) {
   const { ctx, sheet, scene, theme, words } = desk;
   const { small, band } = sheet;
   const larger = scene.magnification !== 1;
   const factor = formatNumber(scene.magnification, 0, words.language);
   // To scale is what one expects, so where room is scarce only the contrary is said.
-  const said = larger
-    ? [words.drawnLarger, words.drawnLargerShort, words.drawnLargerShortest]
+  const scales = larger ? [words.drawnLarger, words.drawnLargerShort, words.drawnLargerShortest] : [];
+  const bends = isHeld ? [words.bendsFurther, words.bendsFurther, words.bendsFurtherShort] : [];
+  const said = larger || isHeld
+    ? [0, 1, 2].map((i) => [scales[i], bends[i]].filter(Boolean).join('; '))
     : [words.drawnToScale];
   const notes = [...said.map((how) => `${words.top}: ${fill(how, { factor })}`), words.top];
   const width = (/** @type {string} */ line) => widthOf(ctx, [strong(line)], small, theme);
   /** @type {string[] | null} */
   let lines = null;
-  for (const note of notes) lines ??= inLines(note, width, end - MARGIN, larger ? 2 : 1);
-  const style = { size: small, color: larger ? theme.freeplayText : theme.ink2, halo: theme.ground, stays: true };
+  for (const note of notes) lines ??= inLines(note, width, end - MARGIN, larger || isHeld ? 2 : 1);
+  const style = { size: small, color: larger || isHeld ? theme.freeplayText : theme.ink2, halo: theme.ground, stays: true };
   lines?.reverse().forEach((line, i) =>
     putLabel(desk, [strong(line)], { ...style, farthest: 0 }, (_, height) => [
       { x: MARGIN, y: band.bottom - 5 - (i + 1) * height },
