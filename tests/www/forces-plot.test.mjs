@@ -63,6 +63,20 @@ test('the point stands on its curve and its value beside the axis, in round unit
   assert.ok(Math.abs((dots[0].args[0] - zero) / (ten - zero) - 0.75) < 0.01);
 });
 
+test('what is too fast for the screen is a piece of each law, without point or value; so is a ghost', () => {
+  const inside = (/** @type {ArrayLike<number>} */ column) => Array.from(column).slice(60, 141);
+  const exposed = {
+    slipAngle: inside(slipAngle), sideForce: inside(forces.laws.sideForce), aligningMoment: inside(forces.laws.aligningMoment),
+    torsionAngle: inside(torsionAngle), restoringMoment: inside(forces.laws.restoringMoment),
+  };
+  const { named } = drawn({ now: exposed, ghosts: [{ label: 'c = 40', now: exposed }, { label: 'c = 60', now: exposed }] });
+  // The keys keep their samples: hollow points outside of the panels.
+  assert.equal(named('arc').filter(({ args }) => args[2] === 6).length, 0);
+  assert.ok(!written(named('fillText')).some((text) => /^−?[\d.]+ k?N( m)?$/.test(text)), 'a value of an instant');
+  const smears = named('stroke').filter(({ style }) => style.globalAlpha === 0.4 && style.lineCap === 'round').map(({ style }) => style.strokeStyle);
+  assert.deepEqual(smears, [theme.force, theme.force, theme.psi].flatMap((color) => [theme.ghost, theme.ghost, color]));
+});
+
 test('the last cycle’s part of the curve is laid under it, as wide as the cycle', () => {
   const { calls, named } = drawn();
   const bands = calls.flatMap(({ name, style }, i) => (name === 'stroke' && style.lineWidth === 9 ? [i] : []));

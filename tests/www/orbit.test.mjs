@@ -90,6 +90,14 @@ test('the present stands where the state says, and drops straight onto the floor
   assert.ok(Math.abs(foot.args[1] - dot.args[1] - height) < 1e-6);
 });
 
+test('what is too fast for the screen is an arc in the box, with neither point nor drop', () => {
+  const { named } = drawn({ exposed: cycle(10 * degree, 60) });
+  assert.equal(named('arc').filter(({ args }) => args[2] > 2).length, 0);
+  const arcs = named('stroke').filter(({ style }) => style.strokeStyle === theme.psi && style.lineWidth > 10);
+  assert.equal(arcs.length, 1);
+  assert.ok(arcs[0].style.globalAlpha < 0.5);
+});
+
 test('the trail is the fainter, the older and the farther; its shadow lies on the floor', () => {
   const { named } = drawn();
   const trail = named('stroke').filter(({ style }) => style.strokeStyle === theme.psi);

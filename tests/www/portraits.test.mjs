@@ -47,6 +47,23 @@ test('y stands over ψ in millimeters, in its own color', () => {
   assert.ok(Math.abs((dot?.args[1] - horizontal[1]) / (vertical[1] - horizontal[1]) - 0.5) < 0.01, '−30 mm of 60 mm');
 });
 
+test('what is too fast for the screen is an arc over the states of the exposure, and no point', () => {
+  const all = cycle(12 * degree);
+  const exposed = { torsionAngle: all.torsionAngle.slice(3, 90), torsionRate: all.torsionRate.slice(3, 90), lateralDeformation: all.lateralDeformation.slice(3, 90) };
+  for (const [draw, color, present] of /** @type {const} */ ([[drawPhasePortrait, theme.psi, 'torsionRate'], [drawDeformationPortrait, theme.y, 'lateralDeformation']])) {
+    const { named, calls } = drawn(draw, { exposed });
+    assert.equal(named('arc').filter(({ args }) => args[2] > 2).length, 0, 'a single state can be read');
+    const arcs = named('stroke').filter(({ style }) => style.strokeStyle === color && style.lineWidth > 10);
+    assert.equal(arcs.length, 1);
+    assert.ok(arcs[0].style.globalAlpha < 0.5, 'not translucent');
+    // Its ends are those of the exposure: placed as a dot at these states would be.
+    const end = calls.slice(0, calls.indexOf(arcs[0])).findLast(({ name }) => name === 'lineTo');
+    const state = [exposed.torsionAngle[86], present === 'torsionRate' ? exposed.torsionRate[86] : 0, present === 'torsionRate' ? 0 : exposed.lateralDeformation[86]];
+    const dot = drawn(draw, { state }).named('arc').at(-1);
+    assert.ok(Math.hypot(end?.args[0] - dot?.args[0], end?.args[1] - dot?.args[1]) < 1e-9);
+  }
+});
+
 test('a ghost is dashed, closed where it is a cycle, and named', () => {
   for (const draw of [drawPhasePortrait, drawDeformationPortrait]) {
     const { named } = drawn(draw, { ghosts: [ghost(12, 'c = 40 (shimmies)')] });

@@ -212,6 +212,26 @@ test('the swing told of is the one that trail and marks show', () => {
   assert.equal(session.seen, session.outlook, 'the cycle before a blow says nothing of now');
 });
 
+test('where a frame is too long for one state the scene has those of its exposure, of the run and of its ghosts', () => {
+  const { session } = opened();
+  session.advance(0.2);
+  session.pin();
+  session.advance(0.1);
+  assert.equal(session.scene(wanted).exposed, null);
+  assert.equal(session.scene(wanted).ghosts[0].exposed, null);
+  const { exposed, ghosts, state, time, fan } = session.scene({ ...wanted, exposure: 1 / 60 });
+  assert.ok(exposed && fan);
+  const last = exposed.time.length - 1;
+  assert.ok(exposed.time[0] <= time - 1 / 60 && exposed.time[1] > time - 1 / 60, 'it begins with the exposure');
+  // 64 a cycle, of which 1/60 s at 51.9 Hz is 0.86.
+  assert.ok(last >= 54, `${last}`);
+  ['torsionAngle', 'torsionRate', 'lateralDeformation'].forEach((name, i) =>
+    assert.ok(Math.abs(exposed[/** @type {'torsionAngle'} */ (name)][last] - state[i]) < 1e-9 * Math.max(1, Math.abs(state[i])), 'and ends now'));
+  // The gear's fan is of the same stretch.
+  assert.ok(Math.abs(exposed.torsionAngle[0] - fan[0].psi) < 0.02);
+  assert.ok(ghosts[0].exposed && ghosts[0].exposed.time.length > 40);
+});
+
 test('axes far too large for the motion are chosen anew when a hand lets go', () => {
   const { session } = opened();
   session.advance(2);

@@ -11,6 +11,7 @@
  * @typedef {import('../pkg/shimmy.js').Columns} Columns
  * @typedef {import('../pkg/shimmy.js').Curves} Curves
  * @typedef {import('../pkg/shimmy.js').Forces} Forces
+ * @typedef {import('../pkg/shimmy.js').ForceColumns} ForceColumns
  */
 
 import init, * as engine from '../pkg/shimmy.js';

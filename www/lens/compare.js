@@ -61,6 +61,7 @@ export class CompareLens extends PlotLens {
     const { outlook, scales, orbitPast, state, parameters } = scene;
     drawPhasePortrait(context, size, {
       limits: scales.limits, trail: orbitPast, orbit: outlook.orbit, orbitLabel: voice.say(`phase.heads.${outlook.verdict}`), state,
+      exposed: scene.exposed,
       freeplay: parameters.freeplayAngle ?? 0,
       ghosts: scene.ghosts.map((ghost) => ({ label: this.labelOf(scene, ghost, voice), trail: ghost.orbitPast })),
       veiled: this.isVeiled,

@@ -55,9 +55,9 @@ export class ForcesLens extends PlotLens {
     const { view } = this;
     drawForces(context, size, {
       laws, limits,
-      now: pointOf(scene.forces, scene.state),
+      now: scene.exposed ? pathOf(scene.forcesAlong(scene.object, scene.parameters, scene.exposed), scene.exposed) : pointOf(scene.forces, scene.state),
       cycle: scene.lastCycle(),
-      ghosts: scene.ghosts.map((ghost) => ({ label: this.labelOf(scene, ghost, voice), now: pointOf(scene.forcesOf(ghost), ghost.state) })),
+      ghosts: scene.ghosts.map((ghost) => ({ label: this.labelOf(scene, ghost, voice), now: shownOf(scene, ghost) })),
       shown: view === 'all' ? [...all] : [/** @type {Shown} */ (view)],
     }, theme, voice);
   }
@@ -82,6 +82,17 @@ export class ForcesLens extends PlotLens {
 /** @param {import('../engine/engine.js').Forces} forces @param {ArrayLike<number>} state */
 function pointOf({ slipAngle, sideForce, aligningMoment, springTorque }, state) {
   return { slipAngle, sideForce, aligningMoment, torsionAngle: state[0], restoringMoment: springTorque };
+}
+
+/** @param {import('../engine/engine.js').ForceColumns} forces @param {{ torsionAngle: Float64Array }} states */
+function pathOf({ slipAngle, sideForce, aligningMoment, springTorque }, { torsionAngle }) {
+  return { slipAngle, sideForce, aligningMoment, torsionAngle, restoringMoment: springTorque };
+}
+
+/** @param {Scene} scene @param {Scene['ghosts'][number]} ghost */
+function shownOf(scene, { kept, parameters, state, exposed }) {
+  return exposed ? pathOf(scene.forcesAlong(kept.object, parameters, exposed), exposed)
+    : pointOf(scene.forcesOf({ kept, parameters, state }), state);
 }
 
 /** A round number above all values. @param {Float64Array} values */

@@ -70,6 +70,7 @@ export class PhaseLens extends PlotLens {
       orbit: outlook.orbit,
       orbitLabel: voice.say(`phase.heads.${outlook.verdict}`),
       state,
+      exposed: scene.exposed,
       freeplay: parameters.freeplayAngle ?? 0,
       ghosts: scene.ghosts.map((ghost) => ({
         label: this.labelOf(scene, ghost, voice),

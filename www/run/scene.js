@@ -65,12 +65,14 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, lookout, s
     run: { ...span, past: pastEnvelope.upTo(live, span.from, stretch), future: ahead },
     extremes: extremes(past, time - beat),
     trail: [3, 2, 1].map((twelfths) => poseAt(past, time - (twelfths * beat) / 12)).filter((pose) => pose !== null),
+    exposed: exposure > 0 ? endOf(orbitPast, since(exposure)) : null,
     fan: exposure > 0 ? fanOf(live.history(since(exposure), time, poses)) : null,
     ghosts: ghosts.all.map(({ live: run, outlook: goal, energy: exchanged, kept }) => {
       const pasts = pastsOf(run, -moment[0], ghostCycles * beat, beat);
       return {
         kept, state: run.state, parameters: run.parameters, outlook: goal, energy: exchanged,
         past: shifted(pasts.past, kept.from), orbitPast: pasts.orbitPast, track: tracked(run, kept.from),
+        exposed: exposure > 0 ? endOf(pasts.orbitPast, run.time - exposure) : null,
       };
     }),
     roll, outlook, scales, energy, frequency, exposure,
@@ -132,6 +134,8 @@ function looksFurther(engine, live, beat) {
       const { torsionAngle } = live.history(time - cycles * beat, time, samples + 1);
       return engine.spectrum({ values: torsionAngle, interval: beat / samplesPerCycle });
     },
+    /** The forces along a part of a run or of a ghost. @param {string} of @param {Readonly<Record<string, number>>} values @param {import('../engine/engine.js').Columns} states */
+    forcesAlong: (of, values, states) => engine.forcesAlong({ model: of, parameters: values }, states),
     /** The forces of a ghost at its state. @param {{ kept: { object: string }, parameters: Readonly<Record<string, number>>, state: Float64Array }} ghost */
     forcesOf: (ghost) => engine.forces({ model: ghost.kept.object, parameters: ghost.parameters }, ghost.state),
   };

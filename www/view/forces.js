@@ -11,13 +11,15 @@ import { quantities } from './quantities.js';
  * @typedef {import('./law.js').Law} Law
  * @typedef {'slipAngle' | 'sideForce' | 'aligningMoment' | 'torsionAngle' | 'restoringMoment'} LawName
  * @typedef {Record<LawName, number>} Forces
+ * @typedef {Record<LawName, ArrayLike<number>>} Exposed forces all along the exposure of a frame, where that is too long for
+ *   a single point
  * @typedef {Record<LawName, ArrayLike<number>> & {
  *   kinks: { sideForceLimitAngle: number | null, aligningMomentLimitAngle: number | null, freeplayAngle: number | null },
  * }} Laws as the engine gives them: columns of the tire over slip angle and of the spring over torsion angle, and the
  *   angles at which they bend, null where they do not
  * @typedef {{
- *   laws: Laws, limits: Forces, now: Forces, cycle: { slipAngle: [number, number], torsionAngle: [number, number] } | null,
- *   ghosts?: { label: string, now: Forces }[], shown?: Shown[],
+ *   laws: Laws, limits: Forces, now: Forces | Exposed, cycle: { slipAngle: [number, number], torsionAngle: [number, number] } | null,
+ *   ghosts?: { label: string, now: Forces | Exposed }[], shown?: Shown[],
  * }} ForceLaws in SI units and radians. `limits`: the ends of the axes; `cycle`: least and largest angle of the last
  *   cycle; `shown`: which laws, all unless said
  * @typedef {'sideForce' | 'aligningMoment' | 'restoringMoment'} Shown
@@ -45,8 +47,8 @@ export function drawForces(context, size, forces, theme, voice) {
     up: quantities[up],
     limits: { across: forces.limits[across], up: forces.limits[up] },
     curve: { across: forces.laws[across], up: forces.laws[up] },
-    now: { across: forces.now[across], up: forces.now[up] },
-    ghosts: ghosts.map(({ now }) => ({ across: now[across], up: now[up] })),
+    now: /** @type {Law['now']} */ ({ across: forces.now[across], up: forces.now[up] }),
+    ghosts: ghosts.map(({ now }) => /** @type {Law['now']} */ ({ across: now[across], up: now[up] })),
     ...more,
   });
   const limit = (/** @type {number | null} */ at, /** @type {Omit<import('./law.js').LimitAngle, 'at'>} */ name) => (at === null ? null : { ...name, at });

@@ -1,7 +1,7 @@
 import { axisAcross, axisUp, drawAxes, frameOf } from './axes.js';
 import { curveOf, strokeCurve } from './curve.js';
 import { drawGap, nameGap } from './gap.js';
-import { drawHollow, drawPresent } from './points.js';
+import { drawHollow, drawPresent, drawSmear } from './points.js';
 import { decimalsUpTo, valueOf } from './quantities.js';
 import { drawLabel, textFont } from './text.js';
 
@@ -15,10 +15,11 @@ import { drawLabel, textFont } from './text.js';
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {{ across: number, up: number }} Place in SI units
+ * @typedef {{ across: Series, up: Series }} Places all along the exposure of a frame, where that is too long for one
  * @typedef {{ symbol: string, sub?: string, at: number }} LimitAngle where the law changes, on both sides of zero
  * @typedef {{
- *   across: Quantity, up: Quantity, limits: Place, curve: { across: Series, up: Series }, now: Place,
- *   cycle: [number, number] | null, limitAngle: LimitAngle | null, freeplay: number, ghosts: Place[],
+ *   across: Quantity, up: Quantity, limits: Place, curve: Places, now: Place | Places,
+ *   cycle: [number, number] | null, limitAngle: LimitAngle | null, freeplay: number, ghosts: (Place | Places)[],
  * }} Law `limits`: the ends of the axes; `cycle`: least and largest of the last cycle, across; `freeplay`: half of a gap
  */
 
@@ -56,12 +57,20 @@ export function drawLaw(context, size, law, theme, voice) {
   inBox(context, frame, () => {
     context.lineWidth = 2.2 * theme.line;
     strokeCurve(context, curve);
-    ghosts.forEach((ghost) => drawHollow(context, x.at(ghost.across), y.at(ghost.up), theme));
+    for (const ghost of ghosts) {
+      if (isPlace(ghost)) drawHollow(context, x.at(ghost.across), y.at(ghost.up), theme);
+      else drawSmear(context, curveOf(ghost.across, ghost.up, x.at, y.at), theme.ghost, theme, 0.6);
+    }
+    if (!isPlace(now)) drawSmear(context, curveOf(now.across, now.up, x.at, y.at), color, theme);
   });
-  if (ghosts.length > 1) numberGhosts(context, ghosts, x.at, y.at, theme);
-  writeNow(context, law, x.at, y.at, frame, theme, voice);
+  if (ghosts.length > 1 && ghosts.every(isPlace)) numberGhosts(context, ghosts, x.at, y.at, theme);
+  if (!isPlace(now)) return;
+  writeNow(context, law, now, x.at, y.at, frame, theme, voice);
   drawPresent(context, x.at(now.across), y.at(now.up), color, theme);
 }
+
+/** @param {Place | Places} shown @returns {shown is Place} */
+const isPlace = (shown) => typeof shown.across === 'number';
 
 /**
  * Draws within a box only.
@@ -102,10 +111,10 @@ function drawLimitAngle(context, { symbol, sub, at }, x, frame, theme) {
 /**
  * The value now, read off at the upward axis: a dotted line leads there from the point, and the number stands on the
  * axis' other side, which an odd law leaves free, and off the line through zero.
- * @param {CanvasRenderingContext2D} context @param {Law} law @param {(v: number) => number} x @param {(v: number) => number} y
- * @param {Box} frame @param {Theme} theme @param {Voice} voice
+ * @param {CanvasRenderingContext2D} context @param {Law} law @param {Place} now @param {(v: number) => number} x
+ * @param {(v: number) => number} y @param {Box} frame @param {Theme} theme @param {Voice} voice
  */
-function writeNow(context, { up, limits, now }, x, y, frame, theme, voice) {
+function writeNow(context, { up, limits }, now, x, y, frame, theme, voice) {
   const [across, height, axis, zero] = [x(now.across), y(now.up), x(0), y(0)];
   context.strokeStyle = theme[up.color];
   context.lineWidth = 1.2 * theme.line;

@@ -4,7 +4,7 @@ import { keysOfGhosts } from './ghosts.js';
 import { placeKeys } from './key.js';
 import { projectionOf } from './look.js';
 import { drawEdges, drawFaces } from './orbit-box.js';
-import { drawPresent } from './points.js';
+import { drawPresent, drawSmear } from './points.js';
 import { quantities } from './quantities.js';
 import { destination, gapEdge, ghost as ghostStyle, inStyle } from './strokes.js';
 import { strengthAt } from './trail.js';
@@ -37,7 +37,7 @@ const pieces = 64;
  * @param {Voice} voice
  */
 export function drawOrbit(context, size, motion, theme, voice) {
-  const { limits, look, orbitLabel, freeplay, ghosts = [], veiled = false } = motion;
+  const { limits, look, orbitLabel, freeplay, exposed = null, ghosts = [], veiled = false } = motion;
   const canvas = { left: theme.size * 0.8, right: size.width - theme.size * 0.8, top: theme.size * 0.8, bottom: size.height - theme.size * 0.6 };
   const goal = { text: orbitLabel, style: veiled || (motion.orbit.torsionAngle?.length ?? 0) < 2 ? null : destination };
   const gap = { text: freeplay > 0 ? voice.say('phase.gap') : '', style: gapEdge };
@@ -65,10 +65,11 @@ export function drawOrbit(context, size, motion, theme, voice) {
   drawShadow(context, trail, theme);
   const words = drawEdges(context, projection, axes, canvas, theme);
   for (const one of pinned) drawInDepth(context, one, ghostStyle, theme);
-  drawDrop(context, now, projection, theme);
+  if (!exposed) drawDrop(context, now, projection, theme);
   drawTrailInDepth(context, trail, theme);
   drawInDepth(context, orbit, destination, theme);
-  drawPresent(context, projection.across(now[0], now[1]), projection.up(...now), theme.psi, theme);
+  if (exposed) drawSmear(context, path(exposed).shown, theme.psi, theme);
+  else drawPresent(context, projection.across(now[0], now[1]), projection.up(...now), theme.psi, theme);
   drawKeys(words, [trail, orbit, ...pinned].map(({ shown }) => shown));
 }
 

@@ -1,3 +1,5 @@
+import { strokeCurve } from './curve.js';
+
 /** @typedef {import('../style/theme.js').Theme} Theme */
 
 /**
@@ -15,6 +17,26 @@ export function drawPresent(context, x, y, color, theme) {
   circle(context, x, y, 6 * Math.sqrt(theme.line));
   context.fill();
   context.stroke();
+}
+
+/**
+ * Where the motion was all along the exposure of a frame, where it is too fast for a dot: as wide as one, translucent, so
+ * that no single state can be read from it.
+ * @param {CanvasRenderingContext2D} context
+ * @param {import('./curve.js').Curve} curve
+ * @param {string} color
+ * @param {Theme} theme
+ * @param {number} [size] as a share of the dot's
+ */
+export function drawSmear(context, curve, color, theme, size = 1) {
+  context.save();
+  context.globalAlpha = 0.4;
+  context.strokeStyle = color;
+  context.lineWidth = 12 * size * Math.sqrt(theme.line);
+  context.lineJoin = 'round';
+  context.lineCap = 'round';
+  strokeCurve(context, curve);
+  context.restore();
 }
 
 /**

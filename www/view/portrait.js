@@ -3,7 +3,7 @@ import { curveOf, strokeCurve } from './curve.js';
 import { drawGap, nameGap } from './gap.js';
 import { drawGhosts, keysOfGhosts } from './ghosts.js';
 import { placeKeys } from './key.js';
-import { drawPresent } from './points.js';
+import { drawPresent, drawSmear } from './points.js';
 import { quantities } from './quantities.js';
 import { destination, inStyle } from './strokes.js';
 import { drawTrail } from './trail.js';
@@ -20,8 +20,9 @@ import { drawTrail } from './trail.js';
  * @typedef {{ label: string, orbit?: States, trail?: States }} Ghost a pinned run: the cycle it is on, or where it went
  * @typedef {{
  *   trail: States, orbit: States, orbitLabel: string, state: ArrayLike<number>, freeplay: number,
- *   ghosts?: Ghost[], veiled?: boolean,
- * }} Motion `state`: ψ, ψ̇, y now; `freeplay`: half of the gap; `veiled`: where it goes is not to be seen yet
+ *   exposed?: States | null, ghosts?: Ghost[], veiled?: boolean,
+ * }} Motion `state`: ψ, ψ̇, y now; `freeplay`: half of the gap; `exposed`: the states of a frame's exposure, where that is
+ *   too long for a single one; `veiled`: where it goes is not to be seen yet
  */
 
 /**
@@ -35,7 +36,7 @@ import { drawTrail } from './trail.js';
  * @param {Voice} voice
  */
 export function drawPortrait(context, size, motion, { up, present, limits, corners }, theme, voice) {
-  const { orbitLabel, freeplay, ghosts = [], veiled = false } = motion;
+  const { orbitLabel, freeplay, exposed = null, ghosts = [], veiled = false } = motion;
   const goal = { text: orbitLabel, style: veiled || (motion.orbit.torsionAngle?.length ?? 0) < 2 ? null : destination };
   const { frame, draw: drawKeys } = placeKeys(context, frameOf(size, theme), [
     { entry: veiled ? 'veiled' : goal, color: theme.ink, wishes: corners },
@@ -60,7 +61,8 @@ export function drawPortrait(context, size, motion, { up, present, limits, corne
   drawGhosts(context, pinned, theme);
   drawTrail(context, trail, color, theme);
   inStyle(context, theme, destination, () => strokeCurve(context, orbit, { isClosed: true }));
+  if (exposed) drawSmear(context, curve(exposed), color, theme);
   context.restore();
-  drawPresent(context, x.at(motion.state[0]), y.at(present), color, theme);
+  if (!exposed) drawPresent(context, x.at(motion.state[0]), y.at(present), color, theme);
   drawKeys(named, [trail, orbit, ...pinned.map((ghost) => ghost.curve)]);
 }
