@@ -111,6 +111,18 @@ test('words keep off each other and stay on the canvas', () => {
     }
 });
 
+test('on a phone the name of the destination stands beside that of the axis and costs the curves no height', () => {
+  for (const language of /** @type {const} */ (['en', 'tr'])) {
+    const recorder = recordingContext();
+    const voice = voiceOf(language);
+    drawPhasePortrait(recorder.context, { width: 390, height: 179 }, { ...motion, orbitLabel: voice.say('phase.heads.shimmies') }, theme, voice);
+    const clip = recorder.named('rect')[0].args;
+    assert.ok(clip[3] > 0.7 * 179, `the curves have ${clip[3]} of 179 px`);
+    const word = recorder.named('fillText').find(({ args }) => args[0] === voice.say('phase.heads.shimmies'));
+    assert.ok(word && word.args[2] > clip[1] + clip[3] && word.args[2] < 179);
+  }
+});
+
 test('words go to the corner that no curve passes, and to the least passed where all are', () => {
   const frame = { left: 0, right: 400, top: 0, bottom: 300 };
   const label = { width: 100, height: 20 };

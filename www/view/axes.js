@@ -17,6 +17,9 @@ import { nameOf } from './quantities.js';
  *   `at`: where a value in SI units stands
  */
 
+/** Below this height a plot spares its edges, in heights of small type. */
+const low = 16;
+
 /**
  * Where the curves go, within an area that also holds numbers and names.
  * @param {Size} size
@@ -26,10 +29,25 @@ import { nameOf } from './quantities.js';
  */
 export function frameOf({ width, height }, theme, upName = 'beside') {
   const isBeside = upName === 'beside';
+  const isLow = isBeside && height < low * theme.size;
   return {
     left: theme.size * (isBeside ? 5.2 : 3.6), right: width - theme.size * 1.6,
-    top: theme.size * (isBeside ? 1.2 : 2.2), bottom: height - theme.size * 3.3,
+    top: theme.size * (isLow ? 0.8 : isBeside ? 1.2 : 2.2), bottom: height - theme.size * (isLow ? 3 : 3.3),
   };
+}
+
+/**
+ * What the name of the axis to the right leaves free of its row.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Box} frame
+ * @param {Quantity} across
+ * @param {Theme} theme
+ * @param {Voice} voice
+ * @returns {Box}
+ */
+export function footOf(context, { left, right, bottom }, across, theme, voice) {
+  const name = widthOfLabel(context, nameOf(across, voice), theme, 600);
+  return { left, right: right - name - theme.size, top: bottom + theme.size * 1.7, bottom: bottom + theme.size * 3.2 };
 }
 
 /**

@@ -6,7 +6,7 @@ import { drawVeil } from './veil.js';
 
 /**
  * What the lines of a plot are: a piece of each line and its name. On a wide plot they stand in corners that the curves
- * leave free, on a narrow one in rows above.
+ * leave free, on a narrow one beside the name of its axis or in rows above.
  *
  * @typedef {import('./axes.js').Box} Box
  * @typedef {import('./corner.js').Corner} Corner
@@ -29,11 +29,12 @@ const mostOfFrame = 0.32;
  * @param {Box} frame
  * @param {(Key & { wishes: Corner[] })[]} keys `wishes`: their corners, the best first
  * @param {Theme} theme
+ * @param {Box | null} [foot] room below a narrow plot for the first of them, which costs the curves none
  * @returns {{ frame: Box, draw: (taken: Box[], curves: Curve[]) => void }} `taken`: where other words stand already
  */
-export function placeKeys(context, frame, keys, theme) {
+export function placeKeys(context, frame, keys, theme, foot = null) {
   const said = keys.filter(({ entry }) => entry === 'veiled' || entry.text !== '');
-  if (frame.right - frame.left < narrow * theme.size) return keysAbove(context, frame, said, theme);
+  if (frame.right - frame.left < narrow * theme.size) return keysAround(context, frame, said, theme, foot);
   const inset = theme.size * 0.4;
   const inner = { left: frame.left + inset, right: frame.right - inset, top: frame.top + 2, bottom: frame.bottom - 4 };
   const draw = (/** @type {Box[]} */ taken, /** @type {Curve[]} */ curves) => {
@@ -45,6 +46,22 @@ export function placeKeys(context, frame, keys, theme) {
     }
   };
   return { frame, draw };
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context @param {Box} frame @param {Key[]} keys @param {Theme} theme @param {Box | null} foot
+ * @returns {{ frame: Box, draw: () => void }}
+ */
+function keysAround(context, frame, keys, theme, foot) {
+  const [first, ...rest] = keys;
+  const width = first ? sizeOf(context, first, theme).width : Infinity;
+  if (!foot || foot.left + width > foot.right) return keysAbove(context, frame, keys, theme);
+  const above = keysAbove(context, frame, rest, theme);
+  const draw = () => {
+    drawKey(context, first, { ...foot, right: foot.left + width }, theme);
+    above.draw();
+  };
+  return { frame: above.frame, draw };
 }
 
 /**

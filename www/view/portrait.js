@@ -1,4 +1,4 @@
-import { axisAcross, axisUp, drawAxes, frameOf } from './axes.js';
+import { axisAcross, axisUp, drawAxes, footOf, frameOf } from './axes.js';
 import { curveOf, strokeCurve } from './curve.js';
 import { drawGap, nameGap } from './gap.js';
 import { drawGhosts, keysOfGhosts } from './ghosts.js';
@@ -38,10 +38,11 @@ import { drawTrail } from './trail.js';
 export function drawPortrait(context, size, motion, { up, present, limits, corners }, theme, voice) {
   const { orbitLabel, freeplay, exposed = null, ghosts = [], veiled = false } = motion;
   const goal = { text: orbitLabel, style: veiled || (motion.orbit.torsionAngle?.length ?? 0) < 2 ? null : destination };
-  const { frame, draw: drawKeys } = placeKeys(context, frameOf(size, theme), [
+  const area = frameOf(size, theme);
+  const { frame, draw: drawKeys } = placeKeys(context, area, [
     { entry: veiled ? 'veiled' : goal, color: theme.ink, wishes: corners },
     ...keysOfGhosts(ghosts, theme, voice).map((key) => ({ ...key, wishes: corners.toReversed() })),
-  ], theme);
+  ], theme, footOf(context, area, quantities.torsionAngle, theme, voice));
   const x = axisAcross(quantities.torsionAngle, [-limits.angle, limits.angle], frame, theme, voice);
   const y = axisUp(quantities[up], [-limits.up, limits.up], frame, theme, voice);
   const curve = (/** @type {States} */ states) => curveOf(states.torsionAngle ?? [], states[up] ?? [], x.at, y.at);
