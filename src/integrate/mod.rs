@@ -23,6 +23,5 @@ mod trajectory;
 
 pub use driver::{Failure, Integrator, Outcome, Stats, Tolerance};
 pub use method::{Method, MethodDescription, Scheme, methods};
-pub(crate) use rodas::jacobian;
 pub(crate) use trajectory::failed;
 pub use trajectory::{Events, Output, Trajectory, solve};

@@ -121,12 +121,6 @@ const H: [[f64; 8]; 3] = [
 /// Stages of a step.
 pub(super) const STAGES: usize = 8;
 
-/// ∂f/∂x by dual numbers: exact, row by row.
-pub(crate) fn jacobian<S: System<N>, const N: usize>(system: &S, mode: Mode, t: f64, x: &[f64; N]) -> [[f64; N]; N] {
-    let seeded: [Dual<N>; N] = std::array::from_fn(|i| Dual::variable(x[i], i));
-    system.rate(Dual::from(t), mode, &seeded).map(|row| row.slope)
-}
-
 /// One step: `k` holds f(t, x) in its first place at the start, and the increments of the stages afterwards. `None`
 /// where the matrix is singular.
 ///
@@ -140,7 +134,7 @@ pub(super) fn attempt<S: System<N>, const N: usize>(
     h: f64,
     k: &mut Stages<N>,
 ) -> Option<Attempt<N>> {
-    let mut matrix = jacobian(system, mode, t, x).map(|row| row.map(|entry| -entry));
+    let mut matrix = system.jacobian(t, mode, x).map(|row| row.map(|entry| -entry));
     for (i, row) in matrix.iter_mut().enumerate() {
         row[i] += 1.0 / (GAMMA * h);
     }

@@ -17,8 +17,9 @@ use serde::Serialize;
 
 use self::laws::Laws;
 use crate::{
+    error::Result,
     parameter::{Parameter, StateVariable},
-    stability::{Polynomial, TorsionalTheory},
+    stability::{Linearisation, Polynomial, TorsionalTheory, at_rest},
 };
 
 /// What is known of a model without a run: its tables.
@@ -38,6 +39,9 @@ pub struct Description {
     /// See [`Model::linear_theory`].
     #[serde(skip)]
     pub(crate) linear_theory: fn(&[Polynomial]) -> Option<TorsionalTheory>,
+    /// The model at its equilibrium, for checked parameter values in table order.
+    #[serde(skip)]
+    pub(crate) linearised: fn(&[f64]) -> Result<Linearisation>,
 }
 
 impl Description {
@@ -50,6 +54,7 @@ impl Description {
             state: M::STATE,
             laws: M::laws,
             linear_theory: M::linear_theory,
+            linearised: |values| at_rest(&M::new(values)),
         }
     }
 

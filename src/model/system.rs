@@ -3,7 +3,7 @@
 use super::{Description, laws::Laws};
 use crate::{
     parameter::{Parameter, StateVariable},
-    real::Real,
+    real::{Dual, Real},
     stability::{Polynomial, TorsionalTheory},
 };
 
@@ -49,6 +49,12 @@ pub trait System<const N: usize>: Clone {
 
     /// ẋ.
     fn rate<R: Real>(&self, t: R, mode: Mode, x: &[R; N]) -> [R; N];
+
+    /// ∂f/∂x by dual numbers: exact, row by row.
+    fn jacobian(&self, t: f64, mode: Mode, x: &[f64; N]) -> [[f64; N]; N] {
+        let seeded: [Dual<N>; N] = std::array::from_fn(|i| Dual::variable(x[i], i));
+        self.rate(Dual::from(t), mode, &seeded).map(|row| row.slope)
+    }
 
     /// The mode in which a motion at `x` goes on.
     fn mode(&self, t: f64, x: &[f64; N]) -> Mode {

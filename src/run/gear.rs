@@ -8,10 +8,19 @@ use crate::{
         torsional::{self, LinkedParameters},
     },
     parameter::{Validity, check_number, parameter_index},
-    stability::{Polynomial, RouthHurwitz, TorsionalTheory, UnstableInterval, Variation},
+    stability::{Linearisation, Polynomial, RouthHurwitz, TorsionalTheory, UnstableInterval, Variation, linearised},
 };
 
 impl Run {
+    /// The gear at its equilibrium: where it rests, and its Jacobian there. Its start does not matter.
+    ///
+    /// # Errors
+    /// Parameters so extreme that the Jacobian leaves the numbers; no equilibrium that Newton's method finds from the
+    /// state 0.
+    pub fn linearised(&self) -> Result<Linearisation> {
+        linearised(&self.description(), &self.parameters)
+    }
+
     /// What linear theory says of the gear at rest, and where that changes. Its start does not matter.
     ///
     /// # Errors

@@ -4,10 +4,11 @@ use super::Run;
 use crate::{
     energy::{self, Energy},
     error::{Code, Error, Result, shown},
-    integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, jacobian, solve},
+    integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, solve},
     live::{Motion, Simulator},
     model::{Gear, Model, Tables},
     outlook::{self, Outlook},
+    stability::eigenvalues,
 };
 
 /// A run whose model has been chosen. Calls through it happen once a trajectory, never within one.
@@ -126,11 +127,10 @@ pub(crate) fn check_fixed_step<S: Gear<N>, const N: usize>(system: &S, x: &[f64;
 
 /// Largest |λ| of the Jacobian at `x`; 0 where it is not finite (the motion itself says so).
 fn fastest_rate<S: Gear<N>, const N: usize>(system: &S, x: &[f64; N]) -> f64 {
-    let rows = jacobian(system, system.mode(0.0, x), 0.0, x);
+    let rows = system.jacobian(0.0, system.mode(0.0, x), x);
     let matrix = nalgebra::DMatrix::from_fn(N, N, |i, j| rows[i][j]);
     if !matrix.iter().all(|entry| entry.is_finite()) {
         return 0.0;
     }
-    let Some(schur) = nalgebra::Schur::try_new(matrix, f64::EPSILON, 1000) else { return 0.0 };
-    schur.complex_eigenvalues().iter().fold(0.0_f64, |most, value| most.max(value.norm()))
+    eigenvalues(&matrix).map_or(0.0, |values| values.iter().fold(0.0_f64, |most, value| most.max(value.norm())))
 }

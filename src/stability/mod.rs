@@ -3,13 +3,20 @@
 //! The torsional gears have it in closed form ([`TorsionalTheory`]), with every parameter a polynomial in the one that
 //! varies: one text of the conditions says whether a gear is stable, and where that changes.
 
+mod eigenvalues;
+mod elimination;
+mod linearisation;
 mod polynomial;
 mod torsional;
 mod variation;
 
 use serde::Serialize;
 
-pub use self::{polynomial::Polynomial, torsional::TorsionalTheory, variation::Variation};
+pub(crate) use self::linearisation::{at_rest, linearised};
+pub use self::{
+    eigenvalues::eigenvalues, linearisation::Linearisation, polynomial::Polynomial, torsional::TorsionalTheory,
+    variation::Variation,
+};
 
 /// The verdict of Routh and Hurwitz at rest.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -1,0 +1,114 @@
+//! A model at its equilibrium: where it rests, and how it answers a small push there.
+
+use nalgebra::{Complex, DMatrix};
+
+use super::{eigenvalues::eigenvalues, elimination::Triangle};
+use crate::{
+    error::{Code, Error, Result, shown},
+    model::{Description, System},
+};
+
+/// Most steps of Newton's method on the way to an equilibrium: it takes a few, or it will not come.
+const NEWTON_STEPS: usize = 50;
+
+/// The equations ẋ = f(x) near their equilibrium x₀: a small push d from it moves by ḋ = J d.
+///
+/// # Equations
+/// f(x₀) = 0 and J = ∂f/∂x at x₀, exact by dual numbers, in the mode that holds at x₀: with freeplay the gear rests in its
+/// gap, where no spring acts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Linearisation {
+    /// x₀, in the order of the state table.
+    pub equilibrium: Vec<f64>,
+    /// J, in the same order.
+    pub jacobian: DMatrix<f64>,
+}
+
+impl Linearisation {
+    /// The eigenvalues of J \[1/s\]: see [`eigenvalues`].
+    ///
+    /// # Errors
+    /// A matrix so extreme that they leave the numbers.
+    pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>> {
+        eigenvalues(&self.jacobian)
+    }
+}
+
+/// The model with the parameter values `values`, in table order, at its equilibrium.
+///
+/// # Errors
+/// Values so extreme that the Jacobian leaves the numbers; no equilibrium that Newton's method finds from the state 0.
+pub(crate) fn linearised(model: &Description, values: &[f64]) -> Result<Linearisation> {
+    (model.linearised)(values)
+}
+
+/// A system at its equilibrium.
+///
+/// # Errors
+/// As [`linearised`].
+pub(crate) fn at_rest<S: System<N>, const N: usize>(system: &S) -> Result<Linearisation> {
+    newton(N, &|x| {
+        let x: [f64; N] = std::array::from_fn(|i| x[i]);
+        let mode = system.mode(0.0, &x);
+        let rows = system.jacobian(0.0, mode, &x);
+        (system.rate(0.0, mode, &x).to_vec(), DMatrix::from_fn(N, N, |row, column| rows[row][column]))
+    })
+}
+
+/// f and ∂f/∂x at a state.
+type Answer = (Vec<f64>, DMatrix<f64>);
+
+/// Newton's method for f(x) = 0 from x = 0; `at` gives f and its Jacobian.
+fn newton(states: usize, at: &dyn Fn(&[f64]) -> Answer) -> Result<Linearisation> {
+    let mut equilibrium = vec![0.0; states];
+    let mut arrived = false;
+    for _ in 0..NEWTON_STEPS {
+        let (rate, jacobian) = at(&equilibrium);
+        if let Some(entry) = jacobian.iter().chain(&rate).find(|entry| !entry.is_finite()) {
+            let allowed = "of finite numbers: choose less extreme values";
+            return Err(Error::new(Code::NotFinite, "the Jacobian", shown(*entry), allowed));
+        }
+        if arrived || rate.iter().all(|rate| *rate == 0.0) {
+            return Ok(Linearisation { equilibrium, jacobian });
+        }
+        let side: Vec<Complex<f64>> = rate.iter().map(|rate| Complex::from(-rate)).collect();
+        let step = Triangle::of(&jacobian, 0.0.into(), &side).solution(0.0);
+        // A step that is lost in rounding is the last.
+        arrived = step.iter().zip(&equilibrium).all(|(step, x)| step.re.abs() <= 4.0 * f64::EPSILON * x.abs());
+        for (x, step) in equilibrium.iter_mut().zip(&step) {
+            *x += step.re;
+        }
+    }
+    let allowed = "such that the model has an equilibrium that Newton's method finds from the state 0";
+    Err(Error::new(Code::Unsuited, "parameters", "values with which it finds none", allowed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{model::Mode, real::Real};
+
+    /// A pendulum of unit length that a constant torque holds aside: θ̈ = −9 sin θ − θ̇/2 + torque.
+    #[derive(Clone)]
+    struct Held(f64);
+
+    impl System<2> for Held {
+        fn rate<R: Real>(&self, _t: R, _mode: Mode, x: &[R; 2]) -> [R; 2] {
+            [x[1], x[0].sin() * -9.0 - x[1] * 0.5 + self.0]
+        }
+    }
+
+    #[test]
+    fn an_equilibrium_away_from_zero_is_found() {
+        let linear = at_rest(&Held(4.5)).unwrap();
+        let rest = std::f64::consts::FRAC_PI_6; // 9 sin θ = 4.5
+        assert!((linear.equilibrium[0] - rest).abs() < 1e-15 && linear.equilibrium[1] == 0.0, "{linear:?}");
+        assert!((linear.jacobian[(1, 0)] + 9.0 * rest.cos()).abs() < 1e-14);
+        assert_eq!(linear.jacobian[(1, 1)], -0.5);
+    }
+
+    #[test]
+    fn what_never_rests_is_refused() {
+        assert_eq!(at_rest(&Held(10.0)).unwrap_err().code, Code::Unsuited);
+    }
+}
