@@ -1,49 +1,195 @@
 //! Eigenvalues of a Jacobian.
+//!
+//! nalgebra's Schur decomposition has no way out where its shifts turn a matrix into itself, and as WebAssembly it is five
+//! times as long: a state has a few entries, and its own QR algorithm is a page.
 
-use nalgebra::{Complex, DMatrix, Schur, linalg::balancing::balance_parlett_reinsch};
+use nalgebra::{Complex, DMatrix};
 
 use crate::error::{Code, Error, Result, shown};
 
-/// Most sweeps of the QR algorithm; it takes two or three an eigenvalue.
-const SWEEPS: usize = 300;
+/// Most sweeps for one eigenvalue; it takes two or three.
+const SWEEPS: usize = 100;
+/// Every so many sweeps the shifts are others, for matrices that the usual ones turn into themselves.
+const STANDSTILL: usize = 10;
 
 /// The eigenvalues of a square matrix of finite numbers, by falling real part; of a pair the one with the positive
 /// imaginary part first, and both with the very same real part. A real eigenvalue has the imaginary part 0.
 ///
-/// The matrix is balanced first, so that their error is of the size of ε |λ| for a system whose states are of very different
-/// sizes, too.
+/// The matrix is balanced first, so that states of very different sizes do not cost digits: the error is some ε of the
+/// largest |λ|, times the condition of the eigenvalue.
 ///
 /// # Errors
 /// A matrix so extreme that they leave the numbers.
+///
+/// # References
+/// J. G. F. Francis, *The Computer Journal* 4 (1961) 265–271 and 332–345; the exceptional shifts of R. S. Martin,
+/// G. Peters and J. H. Wilkinson, *Numerische Mathematik* 14 (1970) 219–231. Balancing: B. N. Parlett and C. Reinsch,
+/// *Numerische Mathematik* 13 (1969) 293–304.
 pub fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<Complex<f64>>> {
-    let size = matrix.amax();
-    if size == 0.0 {
-        return Ok(vec![0.0.into(); matrix.nrows()]);
+    let mut work = matrix.clone();
+    let size = matrix.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    if size > 0.0 {
+        work.iter_mut().for_each(|entry| *entry /= size);
+        balance(&mut work);
+        to_hessenberg(&mut work);
     }
-    let mut balanced = matrix / size;
-    balance_parlett_reinsch(&mut balanced);
-    let found = triangular(balanced.clone()).map_or_else(
-        // Matrices that turn states into each other in a circle stand still under its shifts; moved aside they do not.
-        || {
-            let aside = balanced.amax();
-            let moved = &balanced + DMatrix::identity(matrix.nrows(), matrix.nrows()) * aside;
-            triangular(moved).map(|values| values.into_iter().map(|value| value - aside).collect())
-        },
-        Some,
-    );
-    let mut values: Vec<Complex<f64>> = found.unwrap_or_default().into_iter().map(|value| value * size).collect();
+    let mut values = of_hessenberg(&mut work).unwrap_or_default();
+    for value in &mut values {
+        *value = Complex::new(value.re * size, value.im * size);
+    }
     let bad = values.iter().flat_map(|value| [value.re, value.im]).find(|part| !part.is_finite());
     if bad.is_some() || values.len() != matrix.nrows() {
         let (got, allowed) = (shown(bad.unwrap_or(f64::NAN)), "finite: choose less extreme values");
         return Err(Error::new(Code::NotFinite, "the eigenvalues", got, allowed));
     }
-    values.sort_by(|a, b| b.re.total_cmp(&a.re).then(a.im.abs().total_cmp(&b.im.abs())).then(b.im.total_cmp(&a.im)));
+    sort(&mut values);
     Ok(values)
 }
 
-fn triangular(matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
-    let schur = Schur::try_new(matrix, f64::EPSILON, SWEEPS)?;
-    Some(schur.complex_eigenvalues().iter().copied().collect())
+/// By falling real part, then by how fast they turn, of a pair the positive first.
+fn sort(values: &mut [Complex<f64>]) {
+    let before = |a: &Complex<f64>, b: &Complex<f64>| {
+        a.re > b.re || (a.re == b.re && (a.im.abs() < b.im.abs() || (a.im == -b.im && a.im > b.im)))
+    };
+    for end in 1..values.len() {
+        for i in (0..end).rev() {
+            if before(&values[i + 1], &values[i]) {
+                values.swap(i, i + 1);
+            }
+        }
+    }
+}
+
+/// Scales the states by powers of two, which costs no digit, until each row is about as large as its column.
+fn balance(matrix: &mut DMatrix<f64>) {
+    let n = matrix.nrows();
+    let mut done = false;
+    while !done {
+        done = true;
+        for i in 0..n {
+            let sum = |entry: &dyn Fn(usize) -> f64| (0..n).filter(|j| *j != i).map(|j| entry(j).abs()).sum::<f64>();
+            let (column, row) = (sum(&|j| matrix[(j, i)]), sum(&|j| matrix[(i, j)]));
+            if column == 0.0 || row == 0.0 {
+                continue;
+            }
+            let mut factor = 1.0;
+            while column * factor < 0.5 * row / factor {
+                factor *= 2.0;
+            }
+            while column * factor > 2.0 * row / factor {
+                factor *= 0.5;
+            }
+            if column * factor + row / factor < 0.95 * (column + row) {
+                done = false;
+                for j in 0..n {
+                    matrix[(j, i)] *= factor;
+                    matrix[(i, j)] /= factor;
+                }
+            }
+        }
+    }
+}
+
+/// Brings a matrix to the form without entries below the first subdiagonal.
+fn to_hessenberg(matrix: &mut DMatrix<f64>) {
+    let n = matrix.nrows();
+    for k in 1..n.saturating_sub(1) {
+        let column: Vec<f64> = (k..n).map(|row| matrix[(row, k - 1)]).collect();
+        reflect(matrix, k, &column, (k - 1, n), (0, n));
+        for row in k + 1..n {
+            matrix[(row, k - 1)] = 0.0;
+        }
+    }
+}
+
+/// The similarity by the reflection that turns `vector`, in the places from `first` on, into its first direction; applied
+/// to these columns, and to these rows.
+fn reflect(matrix: &mut DMatrix<f64>, first: usize, vector: &[f64], columns: (usize, usize), rows: (usize, usize)) {
+    let size = vector.iter().fold(0.0, |sum, entry| sum + entry.abs());
+    if size == 0.0 {
+        return;
+    }
+    let mut normal: Vec<f64> = vector.iter().map(|entry| entry / size).collect();
+    let length = normal.iter().fold(0.0, |sum, entry| sum + entry * entry).sqrt();
+    normal[0] += length.copysign(normal[0]);
+    let scale = 1.0 / (length * normal[0].abs());
+    for column in columns.0..columns.1 {
+        let along = normal.iter().enumerate().fold(0.0, |sum, (i, part)| sum + part * matrix[(first + i, column)]);
+        for (i, part) in normal.iter().enumerate() {
+            matrix[(first + i, column)] -= scale * along * part;
+        }
+    }
+    for row in rows.0..rows.1 {
+        let along = normal.iter().enumerate().fold(0.0, |sum, (i, part)| sum + part * matrix[(row, first + i)]);
+        for (i, part) in normal.iter().enumerate() {
+            matrix[(row, first + i)] -= scale * along * part;
+        }
+    }
+}
+
+/// The eigenvalues of a matrix in Hessenberg form, by the QR algorithm with two shifts at once.
+fn of_hessenberg(h: &mut DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
+    let mut values = Vec::with_capacity(h.nrows());
+    let size = h.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
+    let mut end = h.nrows(); // what follows is done
+    let mut sweeps = 0;
+    while end > 0 {
+        let last = end - 1;
+        let coupled = |i: usize| {
+            let beside = h[(i, i)].abs() + h[(i - 1, i - 1)].abs();
+            h[(i, i - 1)].abs() > f64::EPSILON * if beside == 0.0 { size } else { beside }
+        };
+        let start = (1..end).rev().find(|i| !coupled(*i)).unwrap_or(0);
+        if last - start < 2 {
+            if start == last {
+                values.push(h[(last, last)].into());
+            } else {
+                values.extend(of_two(h[(start, start)], h[(start, last)], h[(last, start)], h[(last, last)]));
+            }
+            (end, sweeps) = (start, 0);
+            continue;
+        }
+        sweeps += 1;
+        if sweeps > SWEEPS {
+            return None;
+        }
+        let (a, b, c, d) = (h[(last - 1, last - 1)], h[(last - 1, last)], h[(last, last - 1)], h[(last, last)]);
+        let (sum, product) = if sweeps % STANDSTILL == 0 {
+            let aside = c.abs() + h[(last - 1, last - 2)].abs();
+            (1.5 * aside, aside * aside)
+        } else {
+            (a + d, a * d - b * c)
+        };
+        let (top, below) = (h[(start, start)], h[(start + 1, start)]);
+        let mut bulge = vec![
+            top * (top - sum) + h[(start, start + 1)] * below + product,
+            below * (top + h[(start + 1, start + 1)] - sum),
+            below * h[(start + 2, start + 1)],
+        ];
+        for k in start..last {
+            reflect(h, k, &bulge, (k.saturating_sub(1).max(start), end), (start, end.min(k + 4)));
+            for row in k + 1..end.min(k + 3) {
+                if k > start {
+                    h[(row, k - 1)] = 0.0;
+                }
+            }
+            bulge = (k + 1..end.min(k + 4)).map(|row| h[(row, k)]).collect();
+        }
+    }
+    Some(values)
+}
+
+/// The eigenvalues of \[\[a, b\], \[c, d\]\].
+fn of_two(a: f64, b: f64, c: f64, d: f64) -> [Complex<f64>; 2] {
+    let half = 0.5 * (a - d);
+    let discriminant = half * half + b * c;
+    if discriminant < 0.0 {
+        let (re, im) = (d + half, (-discriminant).sqrt());
+        return [Complex::new(re, im), Complex::new(re, -im)];
+    }
+    let far = half + discriminant.sqrt().copysign(half);
+    let near = if far == 0.0 { 0.0 } else { -b * c / far };
+    [(d + far).into(), (d + near).into()]
 }
 
 #[cfg(test)]
