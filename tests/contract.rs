@@ -7,6 +7,7 @@ use std::collections::HashSet;
 
 use common::random::Random;
 use shimmy::{
+    Run,
     integrate::methods,
     model::{self, Model, System},
     parameter::Scale,
@@ -47,8 +48,9 @@ fn assert_rates_and_slopes<M: Model<N>, const N: usize>() {
         let rate = at(&x);
         assert!(rate.iter().all(|rate| rate.is_finite()), "{} {values:?} {x:?}: {rate:?}", M::NAME);
 
+        let exact = system.jacobian(0.0, mode, &x);
         let seeded: [Dual<N>; N] = std::array::from_fn(|i| Dual::variable(x[i], i));
-        let exact = system.rate(Dual::from(0.0), mode, &seeded);
+        assert_eq!(system.rate(Dual::from(0.0), mode, &seeded).map(|row| row.value), rate);
         for column in 0..N {
             // A step of h = 1e-4 sizes: truncation of h²/6 of the law's bend, and rounding of ε |rate|/h, against the
             // largest slope of the row that the state can bring about.
@@ -61,16 +63,39 @@ fn assert_rates_and_slopes<M: Model<N>, const N: usize>() {
             let (ahead, behind) = (moved(h), moved(-h));
             for row in 0..N {
                 let difference = (ahead[row] - behind[row]) / (2.0 * h);
-                let rounding = 1e-15 * (ahead[row].abs() + exact[row].slope[column].abs() * x[column].abs()) / h;
-                let largest = exact[row].slope[column].abs().max(difference.abs());
-                let apart = (exact[row].slope[column] - difference).abs();
+                let rounding = 1e-15 * (ahead[row].abs() + exact[row][column].abs() * x[column].abs()) / h;
+                let largest = exact[row][column].abs().max(difference.abs());
+                let apart = (exact[row][column] - difference).abs();
                 assert!(
                     apart <= 1e-4 * largest + 100.0 * rounding,
                     "{} {values:?} {x:?}: ∂{row}/∂{column} = {} by dual numbers, {difference} by differences",
                     M::NAME,
-                    exact[row].slope[column]
+                    exact[row][column]
                 );
-                assert_eq!(exact[row].value, rate[row]);
+            }
+        }
+    }
+}
+
+/// The equilibrium is one, and the Jacobian there is that of the system that moves.
+fn assert_linearised_at_rest<M: Model<N>, const N: usize>() {
+    let mut random = Random::seeded(3);
+    for _ in 0..2_000 {
+        let values = random_values::<M, N>(&mut random);
+        let run = M::PARAMETERS.iter().zip(&values);
+        let run = run.fold(Run::of(M::NAME).unwrap(), |run, (p, value)| run.with(p.name, *value).unwrap());
+        let (linear, system) = (run.linearised().unwrap(), M::new(&values));
+        let x: [f64; N] = std::array::from_fn(|i| linear.equilibrium[i]);
+        let mode = system.mode(0.0, &x);
+        let (rates, rows) = (system.rate(0.0, mode, &x), system.jacobian(0.0, mode, &x));
+        for row in 0..N {
+            // Rounding of the terms, and of a law that is fitted to it.
+            let scale = |i: usize| rows[row][i].abs() * M::STATE[i].scale;
+            let size = (0..N).map(scale).fold(0.0, f64::max);
+            assert!(rates[row].abs() <= 1e-14 * size, "{} {values:?}: {rates:?}", M::NAME);
+            for column in 0..N {
+                let apart = (linear.jacobian[(row, column)] - rows[row][column]).abs();
+                assert!(apart <= 1e-13 * rows[row][column].abs(), "{} {values:?}: {rows:?}", M::NAME);
             }
         }
     }
@@ -101,6 +126,14 @@ fn assert_sides_hold_where_they_are_said_to<M: Model<N>, const N: usize>() {
 fn rates_are_finite_and_dual_numbers_agree_with_differences() {
     macro_rules! each {
         ($($n:literal, $model:ty;)*) => { $(assert_rates_and_slopes::<$model, $n>();)* };
+    }
+    shimmy::for_each_model!(each);
+}
+
+#[test]
+fn the_linearisation_is_that_of_the_equations() {
+    macro_rules! each {
+        ($($n:literal, $model:ty;)*) => { $(assert_linearised_at_rest::<$model, $n>();)* };
     }
     shimmy::for_each_model!(each);
 }

@@ -119,6 +119,14 @@ pub enum TireLaw {
 }
 
 impl TireLaw {
+    /// The law for small slip.
+    pub fn linearised(&self) -> LinearTireLaw {
+        match self {
+            Self::Piecewise(law) => LinearTireLaw::new(law.side_force_stiffness, law.aligning_stiffness),
+            Self::Linear(law) => *law,
+        }
+    }
+
     /// α \[rad\] at the slip ratio q.
     pub fn slip_angle(&self, q: f64) -> f64 {
         match self {

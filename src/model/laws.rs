@@ -93,6 +93,12 @@ impl Forces {
 }
 
 impl Laws {
+    /// The laws of small motions about rest: straight, and without a spring in a gap.
+    pub fn linearised(&self) -> Self {
+        let stiffness = if self.freeplay > 0.0 { 0.0 } else { self.stiffness };
+        Self { tire: TireLaw::Linear(self.tire.linearised()), stiffness, freeplay: 0.0, ..*self }
+    }
+
     /// α, F_y, M_z and whether F_y is at its limit, at the slip ratio q = y/σ.
     fn at_slip_ratio(&self, q: f64) -> (f64, f64, f64, bool) {
         let law = &self.tire;

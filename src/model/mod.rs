@@ -54,7 +54,7 @@ impl Description {
             state: M::STATE,
             laws: M::laws,
             linear_theory: M::linear_theory,
-            linearised: |values| at_rest(&M::new(values)),
+            linearised: |values| at_rest(&M::at_rest(values)),
         }
     }
 

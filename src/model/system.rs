@@ -110,6 +110,12 @@ pub trait Model<const N: usize>: 'static {
     /// The system for checked parameter values, in table order.
     fn new(values: &[f64]) -> Self::System;
 
+    /// A system that rests where that of `new` does and answers a small push there as it does, for maps and searches that ask
+    /// of many: of a gear whose laws take their time to prepare, with straight ones.
+    fn at_rest(values: &[f64]) -> Self::System {
+        Self::new(values)
+    }
+
     /// Its force laws one by one, for checked parameter values in table order; none where it has no such laws.
     fn laws(values: &[f64]) -> Option<Laws> {
         let _ = values;

@@ -95,6 +95,14 @@ pub struct Torsional {
 }
 
 impl Torsional {
+    /// The laws, v and a of checked parameter values.
+    fn taken(values: &[f64]) -> (Laws, f64, f64) {
+        let (Some(laws), [v, _, a, ..]) = (Self::laws(values), values) else {
+            unreachable!("a checked run has as many values as the table has parameters")
+        };
+        (laws, *v, *a)
+    }
+
     /// A wheel with these laws that rolls with the velocity v \[m/s\] on a tire of half contact length a \[m\].
     pub fn rolling(laws: &Laws, velocity: f64, half_contact_length: f64) -> Self {
         let Laws { relaxation_length, moment_of_inertia, .. } = *laws;
@@ -188,10 +196,13 @@ impl Model<3> for Torsional {
     const STATE: &'static [StateVariable] = &STATE;
 
     fn new(values: &[f64]) -> Self {
-        let (Some(laws), [v, _, a, ..]) = (Self::laws(values), values) else {
-            unreachable!("a checked run has as many values as the table has parameters")
-        };
-        Self::rolling(&laws, *v, *a)
+        let (laws, v, a) = Self::taken(values);
+        Self::rolling(&laws, v, a)
+    }
+
+    fn at_rest(values: &[f64]) -> Self {
+        let (laws, v, a) = Self::taken(values);
+        Self::rolling(&laws.linearised(), v, a)
     }
 
     fn laws(values: &[f64]) -> Option<Laws> {
