@@ -8,38 +8,9 @@ use crate::{
         torsional::{self, LinkedParameters},
     },
     parameter::{Validity, check_number, parameter_index},
-    stability::{Linearisation, Polynomial, RouthHurwitz, TorsionalTheory, UnstableInterval, Variation, linearised},
 };
 
 impl Run {
-    /// The gear at its equilibrium: where it rests, and its Jacobian there. Its start does not matter.
-    ///
-    /// # Errors
-    /// Parameters so extreme that the Jacobian leaves the numbers; no equilibrium that Newton's method finds from the
-    /// state 0.
-    pub fn linearised(&self) -> Result<Linearisation> {
-        linearised(&self.description(), &self.parameters)
-    }
-
-    /// What linear theory says of the gear at rest, and where that changes. Its start does not matter.
-    ///
-    /// # Errors
-    /// A model without a closed linear theory; parameters so extreme that its coefficients leave the numbers.
-    pub fn routh_hurwitz(&self) -> Result<RouthHurwitz> {
-        let numbers: Vec<_> = self.parameters.iter().map(|value| Polynomial::from(*value)).collect();
-        self.linear_theory(&numbers)?.routh_hurwitz()
-    }
-
-    /// The parts of a parameter's range in which linear theory does not find the gear stable, ascending; the other
-    /// parameters stay as they are in the run. An end is exact where it is a boundary.
-    ///
-    /// # Errors
-    /// An unknown parameter, ends that are not valid for it or do not ascend, a model without a closed linear theory.
-    pub fn unstable_intervals(&self, variation: &Variation) -> Result<Vec<UnstableInterval>> {
-        let varied = variation.applied(self.table(), &self.parameters)?;
-        Ok(self.linear_theory(&varied)?.unstable_intervals(variation.from, variation.to))
-    }
-
     /// Forces at a state, in the order of the state table.
     ///
     /// # Errors
@@ -105,11 +76,5 @@ impl Run {
     /// The model's force laws.
     pub(crate) fn laws(&self) -> Result<Laws> {
         (self.description().laws)(&self.parameters).ok_or_else(|| Error::without(self.model, "force laws"))
-    }
-
-    /// The model's linear theory, for parameters in table order.
-    fn linear_theory(&self, parameters: &[Polynomial]) -> Result<TorsionalTheory> {
-        let theory = (self.description().linear_theory)(parameters);
-        theory.ok_or_else(|| Error::without(self.model, "a closed linear theory"))
     }
 }

@@ -2,6 +2,7 @@
 
 mod fields;
 mod gear;
+mod linear;
 mod parse;
 mod problem;
 mod value;

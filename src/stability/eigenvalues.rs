@@ -60,9 +60,11 @@ fn sort(values: &mut [Complex<f64>]) {
     }
 }
 
-/// Scales the states by powers of two, which costs no digit, until each row is about as large as its column.
-fn balance(matrix: &mut DMatrix<f64>) {
+/// Scales the states by powers of two, which costs no digit, until each row is about as large as its column; gives back
+/// what a state of the scaled matrix is worth.
+pub(super) fn balance(matrix: &mut DMatrix<f64>) -> Vec<f64> {
     let n = matrix.nrows();
+    let mut sizes = vec![1.0; n];
     let mut done = false;
     while !done {
         done = true;
@@ -81,6 +83,7 @@ fn balance(matrix: &mut DMatrix<f64>) {
             }
             if column * factor + row / factor < 0.95 * (column + row) {
                 done = false;
+                sizes[i] *= factor;
                 for j in 0..n {
                     matrix[(j, i)] *= factor;
                     matrix[(i, j)] /= factor;
@@ -88,6 +91,7 @@ fn balance(matrix: &mut DMatrix<f64>) {
             }
         }
     }
+    sizes
 }
 
 /// Brings a matrix to the form without entries below the first subdiagonal.

@@ -1,21 +1,38 @@
 //! Linear theory: does a small swing grow or fade?
 //!
-//! The torsional gears have it in closed form ([`TorsionalTheory`]), with every parameter a polynomial in the one that
-//! varies: one text of the conditions says whether a gear is stable, and where that changes.
+//! Every model has it by numbers: its Jacobian at rest ([`Linearisation`]), from that eigenvalues and what they swing like
+//! ([`Eigenmode`]), the characteristic polynomial and Routh's array ([`RouthArray`]), and where eigenvalues cross the
+//! imaginary axis as a parameter varies ([`Crossing`]). The torsional gears have it in closed form, too
+//! ([`TorsionalTheory`]), with every parameter a polynomial in the one that varies: one text of the conditions says whether
+//! a gear is stable, and where that changes.
 
+mod characteristic;
+mod crossings;
+mod eigenmodes;
 mod eigenvalues;
 mod elimination;
 mod linearisation;
 mod polynomial;
+mod routh;
 mod torsional;
 mod variation;
 
 use serde::Serialize;
 
-pub(crate) use self::linearisation::{at_rest, linearised};
 pub use self::{
-    eigenvalues::eigenvalues, linearisation::Linearisation, polynomial::Polynomial, torsional::TorsionalTheory,
+    characteristic::characteristic_polynomial,
+    crossings::Crossing,
+    eigenmodes::{Eigenmode, EnergyFlow},
+    eigenvalues::eigenvalues,
+    linearisation::Linearisation,
+    polynomial::Polynomial,
+    routh::{RouthArray, Special},
+    torsional::TorsionalTheory,
     variation::Variation,
+};
+pub(crate) use self::{
+    crossings::crossings,
+    linearisation::{at_rest, linearised},
 };
 
 /// The verdict of Routh and Hurwitz at rest.
@@ -24,9 +41,10 @@ pub use self::{
 pub struct RouthHurwitz {
     /// Every entry of the column is positive: all small motions fade.
     pub stable: bool,
-    /// First column of the Routh array: 1, a₂, a₁ − a₀/a₂, a₀.
+    /// First column of the Routh array; of the torsional gears 1, a₂, a₁ − a₀/a₂, a₀.
     pub column: Vec<f64>,
-    /// Every velocity > 0 at which a pair of eigenvalues crosses the imaginary axis, ascending \[m/s\].
+    /// Every velocity at which eigenvalues cross the imaginary axis, ascending \[m/s\]: of the torsional gears every one > 0,
+    /// of others those from 0.1 to 2000; none where a model has no velocity.
     pub critical_velocities: Vec<f64>,
     /// The largest damping constant > 0 at which a pair crosses \[N m s/rad\]; none where no pair does.
     pub critical_damping: Option<f64>,
