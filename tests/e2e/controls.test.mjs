@@ -112,6 +112,36 @@ for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [720, 450]
       }
   });
 
+for (const [width, height] of [[1440, 900], [1366, 768], [1100, 700], [1024, 768], [720, 450], [390, 844], [360, 640]])
+  test(`no knob's name is cut at ${width} × ${height}, wherever it stands, in both languages`, async () => {
+    for (const locale of ['en-US', 'tr-TR']) {
+      const { page, leave } = await open(browser, server.address, { viewport: { width, height }, locale, reducedMotion: 'reduce' });
+      await page.locator('shimmy-dock .scent-number').first().waitFor();
+      await page.evaluate(() => document.fonts.ready);
+      const cut = await page.evaluate(async () => {
+        const dock = /** @type {any} */ (document.querySelector('shimmy-dock'));
+        const names = dock.quantities.map((/** @type {{ name: string }} */ { name }) => name);
+        // All can be brought back, so each line has all that it may have.
+        const usual = Object.fromEntries(names.map((/** @type {string} */ name) => [name, -1]));
+        const found = new Set();
+        for (let turn = 0; turn < names.length; turn++) {
+          Object.assign(dock, { knobs: [...names.slice(turn), ...names.slice(0, turn)], usual });
+          await dock.updateComplete;
+          await new Promise((drawn) => requestAnimationFrame(drawn));
+          for (const line of dock.querySelectorAll('.knob-line')) {
+            const name = line.querySelector('.name > span:last-child');
+            const { right } = name.getBoundingClientRect();
+            const isCut = name.scrollWidth > name.clientWidth || right > line.querySelector('.number').getBoundingClientRect().left;
+            if (isCut || line.lastElementChild.getBoundingClientRect().right > line.getBoundingClientRect().right + 0.5) found.add(name.textContent);
+          }
+        }
+        return [...found];
+      });
+      assert.deepEqual(cut, [], locale);
+      await leave();
+    }
+  });
+
 test('what is veiled has no scent, nor has what a screen reader says of it', async () => {
   const { page, leave } = await open(browser, server.address);
   await untilVerdict(page, 'It shimmies');
