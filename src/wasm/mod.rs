@@ -5,9 +5,14 @@
 //! `&mut self` borrowed for ever.
 
 mod input;
+mod linear;
 mod output;
 mod simulator;
 
+pub use linear::{
+    characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, jacobian, routh_array, routh_hurwitz,
+    unstable_intervals,
+};
 pub use simulator::Simulator;
 
 use wasm_bindgen::prelude::*;
@@ -17,7 +22,6 @@ use crate::{
     integrate::methods as list_of_methods,
     model::{self, laws::Curves},
     spectrum::Series,
-    stability::Variation,
 };
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -59,23 +63,6 @@ pub fn simulate(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> R
 pub fn outlook(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
     let run = read_run(&run)?;
     output::outlook(&run, run.outlook().map_err(output::error)?)
-}
-
-/// What linear theory says of the gear at rest, and where that changes.
-#[wasm_bindgen(js_name = routhHurwitz, unchecked_return_type = "RouthHurwitz")]
-pub fn routh_hurwitz(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
-    output::record(&read_run(&run)?.routh_hurwitz().map_err(output::error)?)
-}
-
-/// The parts of a parameter's range in which linear theory does not find the gear stable, the others as in the run.
-#[wasm_bindgen(js_name = unstableIntervals, unchecked_return_type = "UnstableInterval[]")]
-pub fn unstable_intervals(
-    #[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Variation")] variation: JsValue,
-) -> Result<JsValue, JsValue> {
-    let run = read_run(&run)?;
-    let variation = input::value(&variation, "variation").and_then(|value| Variation::read(&value));
-    output::record(&variation.and_then(|variation| run.unstable_intervals(&variation)).map_err(output::error)?)
 }
 
 /// The energy of one cycle from the run's start, or of its `duration` where it has one.

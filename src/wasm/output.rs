@@ -38,7 +38,7 @@ pub(super) fn put(object: &Object, key: &str, value: &JsValue) {
     let _ = Reflect::set(object, &key.into(), value);
 }
 
-fn series(values: &[f64]) -> JsValue {
+pub(super) fn series(values: &[f64]) -> JsValue {
     Float64Array::from(values).into()
 }
 
@@ -132,6 +132,6 @@ pub(super) fn spectrum(spectrum: &Spectrum) -> Result<JsValue, JsValue> {
     Ok(object.into())
 }
 
-fn maybe(value: Option<f64>) -> JsValue {
+pub(super) fn maybe(value: Option<f64>) -> JsValue {
     value.map_or(JsValue::NULL, JsValue::from)
 }

@@ -60,10 +60,63 @@ export interface RouthHurwitz {
   stable: boolean;
   /** first column of the Routh array */
   column: number[];
-  /** m/s, ascending: every v > 0 at which a pair of eigenvalues crosses the imaginary axis */
+  /** m/s, ascending: where eigenvalues cross the imaginary axis; of the torsional gears every v > 0, of others 0.1 … 2000 */
   criticalVelocities: number[];
   /** N m s/rad: the largest c > 0 at which a pair crosses */
   criticalDamping: number | null;
+}
+/** A complex number. */
+export interface ComplexNumber { re: number; im: number }
+/** Routh's array of the characteristic polynomial. */
+export interface RouthArray {
+  /** highest power (1) first */
+  coefficients: number[];
+  /** from sⁿ to s⁰, as the array goes on with them */
+  rows: number[][];
+  /** by row: a zero pivot among other numbers, or nothing but zeros */
+  special: (null | 'zero-pivot' | 'zero-row')[];
+  /** by row: a special one as it came out. Of a zero row the derivative of the polynomial above takes the place; one with p leading zeros is multiplied by 1 + (−1)ᵖ(s/ω₀)²ᵖ, which is positive on the imaginary axis */
+  replaced: (null | number[])[];
+  /** in the right half plane: the changes of sign in the first column */
+  unstableRoots: number;
+  /** on the imaginary axis */
+  neutralRoots: number;
+  stable: boolean;
+}
+/** A value of a parameter at which eigenvalues cross the imaginary axis: a pair, with its frequency in Hz, or a real one (0 Hz). */
+export interface Crossing { value: number; kind: 'hopf' | 'divergence'; frequency: number }
+/** One motion Re(shape e^{λt}) of the linearised gear. */
+export interface Eigenmode {
+  /** λ in 1/s */
+  eigenvalue: ComplexNumber;
+  /** −Re λ/|λ|; null where λ is 0 */
+  dampingRatio: number | null;
+  /** |λ|/2π in Hz */
+  naturalFrequency: number;
+  /** s, where it fades */
+  timeToHalf: number | null;
+  /** s, where it grows */
+  timeToDouble: number | null;
+  /** the state that is 1 in `shape`: the first, or the largest where the first takes no part */
+  reference: string;
+  /** by state, beside the reference: amplitude ratio, and by how much its phase lags in rad */
+  shape: Record<string, ComplexNumber & { amplitude: number; lag: number }>;
+  energyFlow: EnergyFlow | null;
+}
+/** Where a mode's energy comes from and goes, as rates of growth in 1/s: tire = damper + treadWidth + stored, and stored = Re λ. */
+export interface EnergyFlow {
+  /** fed in by the tire */
+  tire: number;
+  /** taken by the damper */
+  damper: number;
+  /** taken by the tread's width */
+  treadWidth: number;
+  /** stored in the wheel's turning */
+  kinetic: number;
+  /** stored in the spring */
+  spring: number;
+  /** kinetic + spring */
+  stored: number;
 }
 /** One parameter's range, in its SI unit. `linked`: what follows it, σ = 3a with a, κ = 0.15 a² c_Fα F_z with a, c_Fα and F_z. */
 export interface Variation {
