@@ -19,7 +19,7 @@ use self::laws::Laws;
 use crate::{
     error::Result,
     parameter::{Parameter, StateVariable},
-    stability::{Linearisation, Polynomial, TorsionalTheory, at_rest},
+    stability::{Linearisation, Polynomial, Surface, TorsionalTheory, at_rest},
 };
 
 /// What is known of a model without a run: its tables.
@@ -42,6 +42,9 @@ pub struct Description {
     /// The model at its equilibrium, for checked parameter values in table order.
     #[serde(skip)]
     pub(crate) linearised: fn(&[f64]) -> Result<Linearisation>,
+    /// The same where two parameters vary.
+    #[serde(skip)]
+    pub(crate) plane_theory: fn(&[Surface]) -> Option<TorsionalTheory<Surface>>,
 }
 
 impl Description {
@@ -55,6 +58,7 @@ impl Description {
             laws: M::laws,
             linear_theory: M::linear_theory,
             linearised: |values| at_rest(&M::at_rest(values)),
+            plane_theory: M::linear_theory,
         }
     }
 

@@ -4,7 +4,7 @@ use super::{Description, laws::Laws};
 use crate::{
     parameter::{Parameter, StateVariable},
     real::{Dual, Real},
-    stability::{Polynomial, TorsionalTheory},
+    stability::{Ring, TorsionalTheory},
 };
 
 /// Which piece of each piecewise law holds: two bits a kink (see [`crate::element::Side`]).
@@ -123,7 +123,7 @@ pub trait Model<const N: usize>: 'static {
     }
 
     /// Its linear theory, where there is a closed form, for parameters in table order.
-    fn linear_theory(values: &[Polynomial]) -> Option<TorsionalTheory> {
+    fn linear_theory<T: Ring>(values: &[T]) -> Option<TorsionalTheory<T>> {
         let _ = values;
         None
     }

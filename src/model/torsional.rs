@@ -16,7 +16,7 @@ use crate::{
     },
     parameter::{Parameter, StateVariable},
     real::Real,
-    stability::{Polynomial, TorsionalTheory},
+    stability::{Ring, TorsionalTheory},
 };
 
 /// State ψ: torsion angle.
@@ -221,7 +221,7 @@ impl Model<3> for Torsional {
         })
     }
 
-    fn linear_theory(values: &[Polynomial]) -> Option<TorsionalTheory> {
+    fn linear_theory<T: Ring>(values: &[T]) -> Option<TorsionalTheory<T>> {
         let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, _, _, kappa, freeplay] = values else {
             return None;
         };

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     element::tire_law::{LinearTireLaw, TireLaw},
     parameter::{Parameter, StateVariable},
-    stability::{Polynomial, TorsionalTheory},
+    stability::{Ring, TorsionalTheory},
 };
 
 /// The torsional gear ([`super::Torsional`]) linearised about ψ = 0, without freeplay.
@@ -54,7 +54,7 @@ impl Model<3> for TorsionalLinear {
         })
     }
 
-    fn linear_theory(values: &[Polynomial]) -> Option<TorsionalTheory> {
+    fn linear_theory<T: Ring>(values: &[T]) -> Option<TorsionalTheory<T>> {
         let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, kappa] = values else { return None };
         Some(TorsionalTheory {
             velocity: v,
@@ -68,7 +68,7 @@ impl Model<3> for TorsionalLinear {
             side_force_derivative: c_f_alpha,
             aligning_moment_derivative: c_m_alpha,
             tread_width_moment_constant: kappa,
-            freeplay_angle: Polynomial::from(0.0),
+            freeplay_angle: T::from(0.0),
         })
     }
 }

@@ -13,7 +13,9 @@ pub enum Value {
     Text(String),
     /// A list of numbers only.
     Numbers(Vec<f64>),
-    /// A list of this many values, not all of them numbers: no field takes one, so that is all there is to know.
+    /// A list of texts only, and of some.
+    Texts(Vec<String>),
+    /// A list of this many values of other or several kinds: no field takes one, so that is all there is to know.
     List(usize),
     /// Named values, in the order given.
     Record(Vec<(String, Value)>),
@@ -30,6 +32,7 @@ impl Value {
             Value::Number(value) => crate::error::shown(*value),
             Value::Text(text) => format!("\"{}\"", text.chars().take(60).collect::<String>()),
             Value::Numbers(numbers) => format!("a list of {} numbers", numbers.len()),
+            Value::Texts(texts) => format!("a list of {} texts", texts.len()),
             Value::List(length) => format!("a list of {length} values"),
             Value::Record(_) => "a record".into(),
             Value::Other(kind) => (*kind).into(),

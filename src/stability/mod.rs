@@ -8,12 +8,19 @@
 
 mod characteristic;
 mod crossings;
+mod cubic;
 mod eigenmodes;
 mod eigenvalues;
 mod elimination;
+mod form;
+mod line;
 mod linearisation;
+mod links;
+mod map;
+mod plane;
 mod polynomial;
 mod routh;
+mod surface;
 mod torsional;
 mod variation;
 
@@ -25,8 +32,12 @@ pub use self::{
     eigenmodes::{Eigenmode, EnergyFlow},
     eigenvalues::eigenvalues,
     linearisation::Linearisation,
-    polynomial::Polynomial,
+    links::Links,
+    map::{Cells, KINDS, MOST_CELLS, MapSpec, Quantities, StabilityMap, Tile},
+    plane::{Axis, Plane},
+    polynomial::{Polynomial, Ring},
     routh::{RouthArray, Special},
+    surface::Surface,
     torsional::TorsionalTheory,
     variation::Variation,
 };

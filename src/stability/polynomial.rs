@@ -2,19 +2,31 @@
 
 use std::ops::{Add, Mul, Sub};
 
+/// Numbers as an equation needs them: plain ones, or polynomials in what varies.
+pub trait Ring: Copy + PartialEq + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
+
+impl<T: Copy + PartialEq + From<f64> + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Ring for T {}
+
 /// Coefficients that a polynomial can have: the conditions of the torsional gear are of degree 5 at most (in the half
 /// contact length, with both of its links at work).
-const COEFFICIENTS: usize = 6;
+pub(super) const COEFFICIENTS: usize = 6;
 
 /// c₀ + c₁x + c₂x² + … up to x⁵; what a product has beyond is lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Polynomial([f64; COEFFICIENTS]);
+pub struct Polynomial(pub(super) [f64; COEFFICIENTS]);
 
 impl Polynomial {
     /// The variable itself.
     pub fn variable() -> Self {
         let mut c = [0.0; COEFFICIENTS];
         c[1] = 1.0;
+        Self(c)
+    }
+
+    /// What runs from `from` to `to` as the variable runs from 0 to 1.
+    pub(super) fn between(from: f64, to: f64) -> Self {
+        let mut c = [0.0; COEFFICIENTS];
+        (c[0], c[1]) = (from, to - from);
         Self(c)
     }
 
@@ -28,7 +40,7 @@ impl Polynomial {
         Self(std::array::from_fn(|i| if i + 1 < COEFFICIENTS { (i + 1) as f64 * self.0[i + 1] } else { 0.0 }))
     }
 
-    fn degree(&self) -> usize {
+    pub(super) fn degree(&self) -> usize {
         self.0.iter().rposition(|c| *c != 0.0).unwrap_or(0)
     }
 

@@ -1,6 +1,6 @@
 //! The torsional gear's linear theory in closed form.
 
-use super::{EndKind, Polynomial, RouthHurwitz, UnstableInterval};
+use super::{EndKind, Polynomial, Ring, RouthHurwitz, UnstableInterval};
 use crate::{
     error::{Code, Error, Result, shown},
     parameter::LARGEST,
@@ -36,61 +36,79 @@ use crate::{
 /// Derived from G. Somieski, *Aerospace Science and Technology* 8 (1997) 545–555; signs and letters as in
 /// [`crate::model::Torsional`].
 #[derive(Clone, Copy, Debug)]
-pub struct TorsionalTheory {
+pub struct TorsionalTheory<T = Polynomial> {
     /// v
-    pub velocity: Polynomial,
+    pub velocity: T,
     /// e
-    pub caster_length: Polynomial,
+    pub caster_length: T,
     /// a
-    pub half_contact_length: Polynomial,
+    pub half_contact_length: T,
     /// σ
-    pub relaxation_length: Polynomial,
+    pub relaxation_length: T,
     /// I_z
-    pub moment_of_inertia: Polynomial,
+    pub moment_of_inertia: T,
     /// k
-    pub torsional_stiffness: Polynomial,
+    pub torsional_stiffness: T,
     /// c
-    pub damping_constant: Polynomial,
+    pub damping_constant: T,
     /// F_z
-    pub vertical_force: Polynomial,
+    pub vertical_force: T,
     /// c_Fα
-    pub side_force_derivative: Polynomial,
+    pub side_force_derivative: T,
     /// c_Mα
-    pub aligning_moment_derivative: Polynomial,
+    pub aligning_moment_derivative: T,
     /// κ
-    pub tread_width_moment_constant: Polynomial,
+    pub tread_width_moment_constant: T,
     /// ψ_fp
-    pub freeplay_angle: Polynomial,
+    pub freeplay_angle: T,
 }
 
-impl TorsionalTheory {
+impl<T: Ring> TorsionalTheory<T> {
     /// k at rest.
-    fn stiffness(&self) -> Polynomial {
-        let none = Polynomial::from(0.0);
+    fn stiffness(&self) -> T {
+        let none = T::from(0.0);
         if self.freeplay_angle == none { self.torsional_stiffness } else { none }
     }
 
     /// T, by which the tire turns a deformed wheel back.
-    fn tire(&self) -> Polynomial {
+    fn tire(&self) -> T {
         (self.aligning_moment_derivative + self.caster_length * self.side_force_derivative) * self.vertical_force
+    }
+
+    /// D = cv + κ.
+    fn damping(&self) -> T {
+        self.damping_constant * self.velocity + self.tread_width_moment_constant
     }
 
     /// k + T: a₀ is positive exactly where this is.
     #[inline(never)]
-    fn stays(&self) -> Polynomial {
+    pub(super) fn stays(&self) -> T {
         self.stiffness() + self.tire()
     }
 
     /// (a₂a₁ − a₀) v σ² I_z²: positive exactly where a₂a₁ > a₀.
     #[inline(never)]
-    fn calms(&self) -> Polynomial {
+    pub(super) fn calms(&self) -> T {
         let Self { velocity: v, relaxation_length: sigma, moment_of_inertia: i_z, .. } = *self;
         let lever = self.caster_length - self.half_contact_length;
-        let damping = self.damping_constant * v + self.tread_width_moment_constant;
+        let damping = self.damping();
         let (k, tire) = (self.stiffness(), self.tire());
         i_z * v * v * (damping + tire * (lever - sigma)) + sigma * damping * (k * sigma + damping + tire * lever)
     }
 
+    /// a₂ v σ I_z.
+    pub(super) fn damps(&self) -> T {
+        self.moment_of_inertia * self.velocity * self.velocity + self.relaxation_length * self.damping()
+    }
+
+    /// a₁ σ I_z: ω² σ I_z where a pair crosses.
+    pub(super) fn swings(&self) -> T {
+        let lever = self.caster_length - self.half_contact_length;
+        self.stiffness() * self.relaxation_length + self.damping() + self.tire() * lever
+    }
+}
+
+impl TorsionalTheory {
     /// Routh and Hurwitz, and where their verdict changes. Every parameter is a number.
     ///
     /// # Errors

@@ -1,9 +1,8 @@
 //! One parameter that varies while the others stay, or follow it.
 
-use super::Polynomial;
+use super::{Links, Polynomial};
 use crate::{
     error::{Code, Error, Result, shown},
-    model::torsional,
     parameter::{Parameter, parameter_index},
     run::{Fields, Value},
 };
@@ -44,13 +43,12 @@ impl Variation {
         let end =
             |key| fields.number(key, "a finite number").and_then(|end| end.ok_or_else(|| missing(key, "a number")));
         let parameter = fields.text("parameter")?.ok_or_else(|| missing("parameter", "the name of a parameter"))?;
-        let mut variation = Self::of(parameter, end("from")?, end("to")?);
-        if let Some(linked) = fields.value("linked") {
-            let linked = Fields::of("linked", linked, &["relaxationLength", "treadWidthMomentConstant"])?;
-            variation.relaxation_length_follows = linked.truth("relaxationLength")?.unwrap_or(false);
-            variation.tread_width_moment_constant_follows = linked.truth("treadWidthMomentConstant")?.unwrap_or(false);
-        }
-        Ok(variation)
+        let Links { relaxation_length, tread_width_moment_constant } = Links::read(&fields)?;
+        Ok(Self {
+            relaxation_length_follows: relaxation_length,
+            tread_width_moment_constant_follows: tread_width_moment_constant,
+            ..Self::of(parameter, end("from")?, end("to")?)
+        })
     }
 
     /// The parameters of `table`, the others being `values`, as polynomials in the one that varies.
@@ -73,34 +71,18 @@ impl Variation {
         let mut varied: Vec<Polynomial> = values.iter().map(|value| Polynomial::from(*value)).collect();
         // A range of one value is that value: freeplay of 0 is none, freeplay that varies is some.
         varied[index] = if from == to { Polynomial::from(from) } else { Polynomial::variable() };
-        self.follow(table, &mut varied);
+        self.links().follow(table, &mut varied, &[&self.parameter]);
         Ok(varied)
     }
 
-    /// Lets what is linked to the parameter that varies follow it.
-    fn follow(&self, table: &[Parameter], varied: &mut [Polynomial]) {
-        let place = |name: &str| table.iter().position(|parameter| parameter.name == name);
-        let [Some(a), Some(c_f_alpha), Some(f_z), Some(sigma), Some(kappa)] = [
-            "halfContactLength",
-            "sideForceDerivative",
-            "verticalForce",
-            "relaxationLength",
-            "treadWidthMomentConstant",
-        ]
-        .map(place) else {
-            return;
-        };
-        let is = |index: usize| table[index].name == self.parameter;
-        let linked = torsional::linked(varied[a], varied[c_f_alpha], varied[f_z]);
-        if self.relaxation_length_follows && is(a) {
-            varied[sigma] = linked.0;
-        }
-        if self.tread_width_moment_constant_follows && (is(a) || is(c_f_alpha) || is(f_z)) {
-            varied[kappa] = linked.1;
+    fn links(&self) -> Links {
+        Links {
+            relaxation_length: self.relaxation_length_follows,
+            tread_width_moment_constant: self.tread_width_moment_constant_follows,
         }
     }
 }
 
-fn missing(key: &str, allowed: &str) -> Error {
+pub(super) fn missing(key: &str, allowed: &str) -> Error {
     Error::new(Code::Missing, key, "nothing", allowed)
 }

@@ -114,14 +114,17 @@ fn list(js: &JsValue, field: &str) -> Result<Value> {
     if !(0.0..=MOST_SAMPLES as f64).contains(&length) {
         return Err(too_long(field, length));
     }
-    let mut numbers = Vec::new();
+    let (mut numbers, mut texts) = (Vec::new(), Vec::new());
     for index in 0..length as u32 {
-        match Reflect::get_u32(js, index).map_err(|_| unreadable(field))?.as_f64() {
-            Some(number) => numbers.push(number),
-            None => return Ok(Value::List(length as usize)),
+        let entry = Reflect::get_u32(js, index).map_err(|_| unreadable(field))?;
+        match (entry.as_f64(), entry.as_string()) {
+            (Some(number), _) if texts.is_empty() => numbers.push(number),
+            // Names are few: a list of more is no list of names.
+            (_, Some(text)) if numbers.is_empty() && texts.len() < MOST_KEYS => texts.push(text),
+            _ => return Ok(Value::List(length as usize)),
         }
     }
-    Ok(Value::Numbers(numbers))
+    Ok(if texts.is_empty() { Value::Numbers(numbers) } else { Value::Texts(texts) })
 }
 
 fn record(js: &JsValue, field: &str, depth: usize) -> Result<Value> {

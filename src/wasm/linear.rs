@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     Run,
-    stability::{Eigenmode, Variation},
+    stability::{Eigenmode, MapSpec, Variation},
 };
 
 /// What linear theory says of the gear at rest, and where that changes.
@@ -44,6 +44,13 @@ pub fn crossings(
 ) -> Result<JsValue, JsValue> {
     let (run, variation) = (read_run(&run)?, read_variation(&variation)?);
     output::record(&run.crossings(&variation).map_err(output::error)?)
+}
+
+/// Stability over a plane of two parameters, cell by cell.
+#[wasm_bindgen(js_name = stabilityMap, unchecked_return_type = "StabilityMap")]
+pub fn stability_map(#[wasm_bindgen(unchecked_param_type = "MapSpec")] map: JsValue) -> Result<JsValue, JsValue> {
+    let map = input::value(&map, "map").and_then(|value| MapSpec::read(&value)?.made()).map_err(output::error)?;
+    Ok(output::stability_map(&map).into())
 }
 
 /// The state at which the gear rests.

@@ -5,13 +5,15 @@
 //! `&mut self` borrowed for ever.
 
 mod input;
+mod job;
 mod linear;
 mod output;
 mod simulator;
 
+pub use job::Job;
 pub use linear::{
     characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, jacobian, routh_array, routh_hurwitz,
-    unstable_intervals,
+    stability_map, unstable_intervals,
 };
 pub use simulator::Simulator;
 

@@ -12,6 +12,7 @@ use crate::{
     outlook::Outlook,
     parameter::StateVariable,
     spectrum::Spectrum,
+    stability::{KINDS, StabilityMap},
 };
 
 /// Small records: plain objects, never Maps; what is absent is `null`.
@@ -130,6 +131,24 @@ pub(super) fn spectrum(spectrum: &Spectrum) -> Result<JsValue, JsValue> {
     put(&object, "amplitude", &series(&spectrum.amplitude));
     put(&object, "peak", &record(&spectrum.peak)?);
     Ok(object.into())
+}
+
+pub(super) fn stability_map(map: &StabilityMap) -> Object {
+    let object = Object::new();
+    let (cells, wanted) = (map.cells(), map.spec().quantities);
+    put(&object, "stable", &Uint8Array::from(&cells.stable[..cells.made]).into());
+    put(&object, "stablePercent", &maybe(map.stable_percent()));
+    if wanted.growth_rate {
+        put(&object, "growthRate", &series(&cells.growth_rate));
+    }
+    if wanted.frequency {
+        put(&object, "frequency", &series(&cells.frequency));
+    }
+    if wanted.kind {
+        put(&object, "kind", &Uint8Array::from(cells.kind.as_slice()).into());
+        put(&object, "kinds", &KINDS.iter().map(|kind| JsValue::from(*kind)).collect::<Array>().into());
+    }
+    object
 }
 
 pub(super) fn maybe(value: Option<f64>) -> JsValue {

@@ -127,6 +127,41 @@ export interface Variation {
 }
 /** A part of a parameter's range in which a small swing does not fade. An end is a boundary of stability, or the range's own. */
 export interface UnstableInterval { from: number; to: number; fromKind: 'hopf' | 'divergence' | 'range'; toKind: 'hopf' | 'divergence' | 'range' }
+/** An axis of a plane: a parameter's range, in its SI unit. */
+export interface Axis { parameter: string; from: number; to: number }
+/** Two parameters of a model that vary; the others as in `parameters`. `linked`: what follows them, σ = 3a with a, κ = 0.15 a² c_Fα F_z with a, c_Fα and F_z. */
+export interface Plane {
+  model: string;
+  parameters?: Parameters | null;
+  x: Axis;
+  y: Axis;
+  linked?: { relaxationLength?: boolean | null; treadWidthMomentConstant?: boolean | null } | null;
+}
+/** A map of `x.count` × `y.count` cells, 1e7 at most in all. */
+export interface MapSpec extends Plane {
+  x: Axis & { count: number };
+  y: Axis & { count: number };
+  /** `['stable', 'growthRate']` */
+  quantities?: ('stable' | 'growthRate' | 'frequency' | 'kind')[] | null;
+  /** the cells from this column and row on, so many of them; all that are left */
+  tile?: { column?: number | null; row?: number | null; columns?: number | null; rows?: number | null } | null;
+}
+/** Stability at the centres of cells: row by row from `y.from` up, each from `x.from` on. Linear theory; with freeplay at rest in the gap, without the spring. */
+export interface StabilityMap {
+  /** 1: all small motions fade */
+  stable: Uint8Array;
+  /** 100 × stable cells / cells; null before the first */
+  stablePercent: number | null;
+  /** 1/s: largest real part of an eigenvalue */
+  growthRate?: Float64Array;
+  /** Hz: of that eigenvalue; 0 where it is real */
+  frequency?: Float64Array;
+  /** 1 where that eigenvalue is one of a pair, as `kinds` says; unstable and monotonic is divergent */
+  kind?: Uint8Array;
+  kinds?: ['monotonic', 'oscillatory'];
+}
+/** How far a job is. `fraction`: of the whole, 0 … 1. */
+export interface Progress { done: boolean; fraction: number }
 /** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + stored. (A friction element would have its own field.) */
 export interface Energy {
   duration: number;

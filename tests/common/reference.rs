@@ -1,7 +1,7 @@
 //! Reference trajectories from outside of this crate, and the runs that must meet them.
 
 use serde_json::Value as Json;
-use shimmy::{Run, integrate::Trajectory, run::Value};
+use shimmy::{Run, integrate::Trajectory, run::Value, stability::MapSpec};
 
 /// A run and what it must give.
 pub struct Case {
@@ -51,6 +51,15 @@ pub fn trajectories(file: &Json) -> Vec<Case> {
             }
         })
         .collect()
+}
+
+/// The maps of a file: name, map, and the share of stable cells in percent.
+pub fn maps(file: &Json) -> Vec<(String, MapSpec, f64)> {
+    let of = |case: &Json| {
+        let spec = MapSpec::read(&value(&case["map"])).expect("a map");
+        (case["id"].as_str().expect("a name").to_owned(), spec, number(&case["stablePercent"]))
+    };
+    file["maps"].as_array().expect("a list").iter().map(of).collect()
 }
 
 /// A run as a JavaScript caller would write it.
