@@ -29,7 +29,8 @@ impl Crossings {
         &self.at[..self.count]
     }
 
-    fn push(&mut self, x: f64) {
+    #[inline(never)]
+    pub fn push(&mut self, x: f64) {
         if let Some(place) = self.at.get_mut(self.count) {
             *place = x;
             self.count += 1;
@@ -62,7 +63,7 @@ impl Line {
     /// with none or one of them all is known, with more the interval is cut in two.
     #[inline]
     pub fn cross(&self, guess: f64, crossings: &mut Crossings) -> bool {
-        let b = bernstein(self.power, self.degree);
+        let b = bernstein_in_line(self.power, self.degree);
         let signs = Signs::of(&b[..=self.degree]);
         match signs.changes {
             0 => crossings.count = 0,
@@ -80,6 +81,7 @@ impl Line {
     }
 
     /// Where the sign changes in an open interval, of which `b` are the Bernstein coefficients.
+    #[inline(never)]
     pub fn within(&self, b: &Bernstein, ends: [f64; 2], depth: usize, expected: &Crossings, found: &mut Crossings) {
         let signs = Signs::of(&b[..=self.degree]);
         let [low, high] = ends;
@@ -132,8 +134,13 @@ impl Line {
 }
 
 /// From powers to the Bernstein coefficients on the unit interval, between whose least and greatest the polynomial runs.
+#[inline(never)]
+pub(super) fn bernstein(c: [f64; COEFFICIENTS], degree: usize) -> Bernstein {
+    bernstein_in_line(c, degree)
+}
+
 #[inline(always)]
-pub(super) fn bernstein(mut c: [f64; COEFFICIENTS], degree: usize) -> Bernstein {
+fn bernstein_in_line(mut c: [f64; COEFFICIENTS], degree: usize) -> Bernstein {
     for k in 1..degree {
         c[k] *= RECIPROCALS[degree][k];
     }
@@ -171,7 +178,7 @@ struct Signs {
 }
 
 impl Signs {
-    #[inline(always)]
+    #[inline]
     fn of(numbers: &[f64]) -> Self {
         let mut signs = Self::default();
         for b in numbers {
@@ -189,6 +196,7 @@ impl Signs {
 }
 
 /// The Bernstein coefficients of the two parts that the interval is cut into (de Casteljau).
+#[inline(never)]
 pub(super) fn parts(b: &Bernstein, degree: usize, part: f64) -> (Bernstein, Bernstein) {
     let (mut left, mut right) = (*b, *b);
     for step in 1..=degree {

@@ -139,7 +139,7 @@ impl MapSpec {
     /// Anything but known keys with valid values; the error names the field.
     pub fn read(input: &Value) -> Result<Self> {
         let fields = Fields::of("map", input, &[Plane::KEYS.as_slice(), &["quantities", "tile"]].concat())?;
-        let (plane, axes) = Plane::read(&fields, &["count"])?;
+        let (plane, axes) = Plane::read_with(&fields, &["count"])?;
         let count = |fields: &Fields, place| {
             let count = whole(fields, "count", [1, MOST_CELLS])?;
             count.ok_or_else(|| missing("count", "a number of cells")).map_err(|error| error.within(place))
@@ -311,5 +311,18 @@ impl StabilityMap {
     pub fn stable_percent(&self) -> Option<f64> {
         let made = self.cells.made;
         (made > 0).then(|| 100.0 * self.cells.stable_count as f64 / made as f64)
+    }
+
+    /// The share of the map's area, or its tile's, that the boundary itself makes stable \[%\]; none before the last cell.
+    ///
+    /// # Errors
+    /// As [`Plane::stable_area`].
+    pub fn stable_area(&self) -> Result<Option<f64>> {
+        let MapSpec { plane, counts, tile, .. } = &self.spec;
+        let part = |first: usize, many: usize, axis: usize| {
+            [first, first + many].map(|edge| edge as f64 / counts[axis] as f64)
+        };
+        let area = || plane.part(part(tile.column, tile.columns, 0), part(tile.row, tile.rows, 1)).stable_area();
+        self.done().then(area).transpose()
     }
 }

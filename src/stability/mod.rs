@@ -9,6 +9,7 @@
 mod characteristic;
 mod crossings;
 mod cubic;
+mod curve;
 mod eigenmodes;
 mod eigenvalues;
 mod elimination;
@@ -29,6 +30,7 @@ use serde::Serialize;
 pub use self::{
     characteristic::characteristic_polynomial,
     crossings::Crossing,
+    curve::{CurveKind, HopfCurve},
     eigenmodes::{Eigenmode, EnergyFlow},
     eigenvalues::eigenvalues,
     linearisation::Linearisation,

@@ -91,7 +91,7 @@ impl Plane {
     ///
     /// # Errors
     /// Anything but known keys with valid values; the error names the field.
-    pub(super) fn read<'a>(fields: &Fields<'a>, more: &[&'static str]) -> Result<(Self, [Fields<'a>; 2])> {
+    pub(super) fn read_with<'a>(fields: &Fields<'a>, more: &[&'static str]) -> Result<(Self, [Fields<'a>; 2])> {
         let given =
             ["model", "parameters"].into_iter().filter_map(|key| Some((key.to_owned(), fields.value(key)?.clone())));
         let run = Run::read(&Value::Record(given.collect()))?;
@@ -112,6 +112,12 @@ impl Plane {
             return Err(Error::new(Code::OutOfRange, "y.parameter", y.parameter, allowed));
         }
         Ok(Self { run, x, y, links: Links::default() })
+    }
+
+    /// The part of it between parts of the way on both axes.
+    pub(super) fn part(&self, x: [f64; 2], y: [f64; 2]) -> Self {
+        let part = |axis: Axis, [from, to]: [f64; 2]| Axis { from: axis.value(from), to: axis.value(to), ..axis };
+        Self { x: part(self.x, x), y: part(self.y, y), ..self.clone() }
     }
 
     fn table(&self) -> &'static [Parameter] {

@@ -66,7 +66,7 @@ impl Job {
     /// What is there so far: what the function of the job's name gives, its arrays no longer than that.
     #[wasm_bindgen(unchecked_return_type = "StabilityMap")]
     pub fn result(&self) -> std::result::Result<JsValue, JsValue> {
-        self.with(|map| Ok(output::stability_map(map).into()))
+        self.with(|map| output::stability_map(map))
     }
 }
 

@@ -12,8 +12,8 @@ mod simulator;
 
 pub use job::Job;
 pub use linear::{
-    characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, jacobian, routh_array, routh_hurwitz,
-    stability_map, unstable_intervals,
+    characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, hopf_curve, jacobian, routh_array,
+    routh_hurwitz, stability_map, unstable_intervals,
 };
 pub use simulator::Simulator;
 

@@ -152,6 +152,8 @@ export interface StabilityMap {
   stable: Uint8Array;
   /** 100 × stable cells / cells; null before the first */
   stablePercent: number | null;
+  /** %: the same share of the area, by the exact boundary (of a tile: in the tile); null before the last cell */
+  stableArea: number | null;
   /** 1/s: largest real part of an eigenvalue */
   growthRate?: Float64Array;
   /** Hz: of that eigenvalue; 0 where it is real */
@@ -159,6 +161,22 @@ export interface StabilityMap {
   /** 1 where that eigenvalue is one of a pair, as `kinds` says; unstable and monotonic is divergent */
   kind?: Uint8Array;
   kinds?: ['monotonic', 'oscillatory'];
+}
+/**
+ * A curve in a plane at which eigenvalues cross the imaginary axis, as a polyline: straight lines are within 1e-4 of the
+ * plane's size from it. What crosses is left of the axis at the curve's own left (x to the right, y up). It ends at the
+ * edge of the plane, exactly, or where what crosses changes.
+ */
+export interface HopfCurve {
+  x: Float64Array;
+  y: Float64Array;
+  /** Hz; 0 of a divergence */
+  frequency: Float64Array;
+  kind: 'hopf' | 'divergence';
+  /** the last point is the first */
+  closed: boolean;
+  /** it bounds what is stable: all other eigenvalues are left of the axis */
+  bounds: boolean;
 }
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }

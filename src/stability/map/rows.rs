@@ -24,9 +24,7 @@ impl Rows {
     pub fn of(theory: &TorsionalTheory<Surface>, spec: &MapSpec) -> Self {
         let stays = Condition::of(&theory.stays());
         Self {
-            may_fall: stays.form.bernstein()[..=stays.form.across]
-                .iter()
-                .any(|b| b[..=stays.form.along].iter().any(|b| *b <= 0.0)),
+            may_fall: !stays.form.positive(),
             stays,
             calms: Condition::of(&theory.calms()),
             rates: spec.quantities.any().then(|| Rates::of(theory, spec.tile)),

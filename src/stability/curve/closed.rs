@@ -1,0 +1,159 @@
+//! Boundaries that are zeros of polynomials.
+
+use super::{Boundary, Crossing, CurveKind, Point};
+use crate::stability::{
+    Plane,
+    form::{Form, Patch, column, put_column},
+    line::{Bernstein, Crossings, DEEPEST, Line, parts},
+};
+
+/// How often the square is cut in four at most. Only where a curve meets itself is it cut so often.
+const FINEST: usize = 9;
+/// Bernstein coefficients below this part of the largest are rounding.
+const ROUNDING: f64 = 1e-15;
+
+/// The torsional gears: stable where both polynomials are positive.
+pub(super) struct ClosedForm {
+    calms: Form,
+    stays: Form,
+    /// a₁ σ I_z
+    swings: Form,
+    /// σ I_z
+    inertia: Form,
+}
+
+impl ClosedForm {
+    /// That of a plane, where its model has one.
+    pub fn of(plane: &Plane) -> Option<Self> {
+        let theory = plane.theory()?;
+        Some(Self {
+            calms: Form::of(&theory.calms()),
+            stays: Form::of(&theory.stays()),
+            swings: Form::of(&theory.swings()),
+            inertia: Form::of(&(theory.relaxation_length * theory.moment_of_inertia)),
+        })
+    }
+
+    fn form(&self, kind: CurveKind) -> &Form {
+        match kind {
+            CurveKind::Hopf => &self.calms,
+            CurveKind::Divergence => &self.stays,
+        }
+    }
+}
+
+impl Boundary for ClosedForm {
+    fn test(&self, kind: CurveKind, at: Point) -> (f64, Point) {
+        self.form(kind).slope(at)
+    }
+
+    fn seeds(&self, kind: CurveKind) -> Vec<[Point; 2]> {
+        let form = self.form(kind);
+        let b = form.bernstein();
+        let largest = b.as_flattened().iter().fold(0.0_f64, |most, b| most.max(b.abs()));
+        let mut search =
+            Search { form, transposed: form.transposed(), rounding: ROUNDING * largest, seeds: Vec::new() };
+        search.visit(&b, [[0.0, 1.0]; 2], FINEST);
+        search.seeds.into_iter().map(|seed| [seed, seed]).collect()
+    }
+
+    /// At a₂a₁ = a₀ a pair is on the axis where a₁ > 0; otherwise it is two real eigenvalues of one size. The third one is
+    /// −a₂. At a₀ = 0 the other two are left of the axis where a₁ > 0.
+    fn crossing(&self, kind: CurveKind, at: Point) -> Option<Crossing> {
+        let square = self.swings.at(at) / self.inertia.at(at);
+        match kind {
+            CurveKind::Hopf => {
+                (square > 0.0).then(|| Crossing { frequency: square.sqrt() / std::f64::consts::TAU, bounds: true })
+            }
+            CurveKind::Divergence => Some(Crossing { frequency: 0.0, bounds: square > 0.0 }),
+        }
+    }
+
+    fn stable(&self, at: Point) -> bool {
+        self.calms.at(at) > 0.0 && self.stays.at(at) > 0.0
+    }
+}
+
+/// A search for places through which every branch of a polynomial's zeros passes.
+struct Search<'a> {
+    form: &'a Form,
+    transposed: Form,
+    rounding: f64,
+    seeds: Vec<Point>,
+}
+
+impl Search<'_> {
+    /// Looks at a box from ends to ends. Where the slope in one direction has one sign, no curve closes within it: all leave
+    /// through its edges.
+    fn visit(&mut self, b: &Patch, ends: [[f64; 2]; 2], depth: usize) {
+        let (across, along) = (self.form.across, self.form.along);
+        let (mut signs, mut across_signs, mut along_signs) = ([false; 2], [false; 2], [false; 2]);
+        for (i, j) in (0..=across).flat_map(|i| (0..=along).map(move |j| (i, j))) {
+            self.note(&mut signs, b[i][j]);
+            if i > 0 {
+                self.note(&mut across_signs, b[i][j] - b[i - 1][j]);
+            }
+            if j > 0 {
+                self.note(&mut along_signs, b[i][j] - b[i][j - 1]);
+            }
+        }
+        if signs != [true; 2] {
+            return;
+        }
+        if across_signs != [true; 2] || along_signs != [true; 2] || depth == 0 {
+            return self.edges(b, ends);
+        }
+        let [[left, right], [below, above]] = ends;
+        let (middle, height) = (left.midpoint(right), below.midpoint(above));
+        let (mut west, mut east) = (*b, *b);
+        for j in 0..=along {
+            let (low, high) = parts(&column(b, j), across, 0.5);
+            put_column(&mut west, j, &low);
+            put_column(&mut east, j, &high);
+        }
+        for (mut below_it, across_it) in [(west, [left, middle]), (east, [middle, right])] {
+            let mut above_it = below_it;
+            for i in 0..=across {
+                (below_it[i], above_it[i]) = parts(&below_it[i], along, 0.5);
+            }
+            self.visit(&below_it, [across_it, [below, height]], depth - 1);
+            self.visit(&above_it, [across_it, [height, above]], depth - 1);
+        }
+    }
+
+    /// Notes a sign, + or −, that is more than rounding.
+    #[inline(always)]
+    fn note(&self, signs: &mut [bool; 2], number: f64) {
+        signs[0] |= number > self.rounding;
+        signs[1] |= number < -self.rounding;
+    }
+
+    /// Where zeros pass the left and lower edge of a box; the others are its neighbours', or the square's.
+    #[inline(never)]
+    fn edges(&mut self, b: &Patch, [across, along]: [[f64; 2]; 2]) {
+        for end in 0..2 {
+            let (i, j) = (end * self.form.across, end * self.form.along);
+            if end == 0 || along[1] == 1.0 {
+                let zeros = self.zeros(&self.form.row(along[end]), &column(b, j), across);
+                self.seeds.extend(zeros.list().iter().map(|x| [*x, along[end]]));
+            }
+            if end == 0 || across[1] == 1.0 {
+                let zeros = self.zeros(&self.transposed.row(across[end]), &b[i], along);
+                self.seeds.extend(zeros.list().iter().map(|y| [across[end], *y]));
+            }
+        }
+    }
+
+    /// Zeros of a line between its ends, and at them.
+    #[inline(never)]
+    fn zeros(&self, line: &Line, b: &Bernstein, ends: [f64; 2]) -> Crossings {
+        let mut found = Crossings::default();
+        line.within(b, ends, DEEPEST, &Crossings::default(), &mut found);
+        for (end, value) in ends.into_iter().zip([b[0], b[line.degree]]) {
+            if value.abs() <= self.rounding {
+                found.push(end);
+            }
+        }
+        found
+    }
+}
