@@ -125,6 +125,31 @@ test('on a phone every target is large enough for a thumb', async () => {
   await leave();
 });
 
+for (const [device, least, options] of /** @type {const} */ ([
+  ['a mouse', 24, { viewport: { width: 1440, height: 900 } }],
+  ['a projector’s pointer', 24, { viewport: { width: 1024, height: 768 } }],
+  ['a thumb', 44, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }],
+  ['a finger on a tablet', 44, { viewport: { width: 768, height: 1024 }, hasTouch: true, isMobile: true }],
+  ['a finger on a wide tablet', 44, { viewport: { width: 1180, height: 820 }, hasTouch: true, isMobile: true }],
+]))
+  test(`the lists over the drawings show a mark and are large enough for ${device}`, async () => {
+    const { page, leave } = await open(browser, server.address, options);
+    await untilVerdict(page, 'It shimmies');
+    const lists = await page.evaluate(() => ['.magnify', '.shown'].map((name) => {
+      const label = /** @type {Element} */ (document.querySelector(name));
+      const { width, height, left, top } = label.getBoundingClientRect();
+      const hit = document.elementFromPoint(left + width / 2, top + height / 2);
+      const mark = getComputedStyle(label, '::before');
+      return { name, width, height, isHit: hit?.closest(name) === label, mark: parseFloat(mark.width), content: mark.content };
+    }));
+    for (const { name, width, height, isHit, mark, content } of lists) {
+      assert.ok(width >= least && height >= least, `${name} is ${width} × ${height}`);
+      assert.ok(isHit, `${name} is covered`);
+      assert.ok(content.includes('▾') && mark >= 20, `the mark of ${name} is ${mark} px`);
+    }
+    await leave();
+  });
+
 test('on a phone the menu has what the dock has no room for', async () => {
   const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 } });
   await untilVerdict(page, 'It shimmies');

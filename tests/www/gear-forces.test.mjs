@@ -6,6 +6,7 @@ import { contactLine, traceBehind } from '../../www/stage/gear/contact-line.js';
 import { forceArrows } from '../../www/stage/gear/forces.js';
 import { poseNow } from '../../www/stage/gear/pose.js';
 import { sheetFor } from '../../www/stage/gear/sheet.js';
+import { SCALE_AT } from '../../www/stage/gear/top-notes.js';
 import { DEGREE, record, sceneOf, sizes, theme } from './gear-scene.mjs';
 
 /** @param {import('./gear-scene.mjs').Scene} scene */
@@ -76,7 +77,7 @@ test('through a whole cycle of ±15° the side force’s arrow ends on the band 
         const { from, to } = forceArrows(sheet, scene, pose, contactLine(traceBehind(scene, pose, 1), pose)).side;
         const where = JSON.stringify([layout, magnification, phase, from, to]);
         assert.ok(to.y > sheet.band.top + 2 && to.y < sheet.band.bottom - 2, where);
-        const notes = record(scene).texts.filter(({ x, y: at, halo }) => !halo && x === 16 && at > sheet.axis.y && at < sheet.band.bottom);
+        const notes = record(scene).texts.filter(({ x, y: at, halo }) => !halo && x === SCALE_AT && at > sheet.axis.y && at < sheet.band.bottom);
         assert.ok(notes.length > 0);
         for (const { text, x, y: at, width, size } of notes) {
           const isBeside = Math.min(from.x, to.x) - 8 * sheet.line > x + width;

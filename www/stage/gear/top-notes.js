@@ -15,6 +15,8 @@ import { plain, strong, symbol, widthOf } from './text.js';
 /** @typedef {import('./desk.js').Desk} Desk */
 
 const MARGIN = 16;
+/** Where the note on the scale begins: beside the mark of the list that it opens, as style/gear.css has it. */
+export const SCALE_AT = 31;
 /** Length of a ghost's dashes before its name [px]. */
 const SAMPLE = 26;
 const TRACK_NOTE_AT = 12;
@@ -92,14 +94,14 @@ function writeScale(desk, end, isHeld) {
   const width = (/** @type {string} */ line) => widthOf(ctx, [strong(line)], small, theme);
   /** @type {string[] | null} */
   let lines = null;
-  for (const note of notes) lines ??= inLines(note, width, end - MARGIN, larger || isHeld ? 2 : 1);
+  for (const note of notes) lines ??= inLines(note, width, end - SCALE_AT, larger || isHeld ? 2 : 1);
   const style = { size: small, color: larger || isHeld ? theme.freeplayText : theme.ink2, halo: theme.ground, stays: true };
   lines?.reverse().forEach((line, i) =>
     putLabel(desk, [strong(line)], { ...style, farthest: 0 }, (_, height) => [
-      { x: MARGIN, y: band.bottom - 5 - (i + 1) * height },
+      { x: SCALE_AT, y: band.bottom - 5 - (i + 1) * height },
     ]),
   );
-  return MARGIN + Math.max(...(lines ?? []).map(width)) + 12;
+  return SCALE_AT + Math.max(...(lines ?? []).map(width)) + 12;
 }
 
 /**
