@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import { tell } from '../command.js';
+import { mannerOf } from '../stage/manner.js';
 import '../view/compare-table.js';
 import { drawPhasePortrait } from '../view/phase-portrait.js';
 import { PlotLens } from './plot-lens.js';
@@ -44,8 +45,8 @@ export class CompareLens extends PlotLens {
   #rows(voice) {
     const { outlook, energy, ghosts, scene } = this;
     if (!outlook || !scene) return [];
-    const numbersOf = (/** @type {Outlook} */ { verdict, amplitude, frequency, present }) =>
-      ({ verdict, amplitude: amplitude.torsionAngle, frequency: frequency ?? present.frequency });
+    const numbersOf = (/** @type {Outlook} */ goal) =>
+      ({ manner: mannerOf(goal), amplitude: goal.amplitude.torsionAngle, frequency: goal.frequency ?? goal.present.frequency });
     return [{ changes: [], ...numbersOf(outlook), energy }, ...ghosts.flatMap((ghost) => (ghost.outlook
       ? [{ changes: this.#changes(ghost.live.parameters, scene.parameters, voice), ...numbersOf(ghost.outlook), energy: ghost.energy }] : []))];
   }
@@ -60,7 +61,7 @@ export class CompareLens extends PlotLens {
   paintScene(context, size, scene, theme, voice) {
     const { outlook, scales, orbitPast, state, parameters } = scene;
     drawPhasePortrait(context, size, {
-      limits: scales.limits, trail: orbitPast, orbit: outlook.orbit, orbitLabel: voice.say(`phase.heads.${outlook.verdict}`), state,
+      limits: scales.limits, trail: orbitPast, orbit: outlook.orbit, orbitLabel: voice.say(`phase.heads.${mannerOf(outlook)}`), state,
       exposed: scene.exposed,
       freeplay: parameters.freeplayAngle ?? 0,
       ghosts: scene.ghosts.map((ghost) => ({ label: this.labelOf(scene, ghost, voice), trail: ghost.orbitPast })),

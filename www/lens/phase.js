@@ -1,12 +1,14 @@
 import { html } from 'lit';
 import { tell } from '../command.js';
 import { veil } from '../present/veil.js';
+import { mannerOf } from '../stage/manner.js';
 import { drawDeformationPortrait } from '../view/deformation-portrait.js';
 import { firstLook, turnedByDrag, turnedByKey } from '../view/look.js';
 import { drawOrbit } from '../view/orbit.js';
 import { drawPhasePortrait } from '../view/phase-portrait.js';
 import { roundStep } from '../view/scale.js';
 import { drawSpectrum } from '../view/spectrum.js';
+import { destination } from './destination.js';
 import { PlotLens } from './plot-lens.js';
 
 /**
@@ -68,7 +70,7 @@ export class PhaseLens extends PlotLens {
       limits: scales.limits,
       trail: orbitPast,
       orbit: outlook.orbit,
-      orbitLabel: voice.say(`phase.heads.${outlook.verdict}`),
+      orbitLabel: voice.say(`phase.heads.${mannerOf(outlook)}`),
       state,
       exposed: scene.exposed,
       freeplay: parameters.freeplayAngle ?? 0,
@@ -132,29 +134,6 @@ export class PhaseLens extends PlotLens {
     event.stopPropagation();
     this.#keep(turned);
   }
-}
-
-/**
- * @param {Outlook} outlook
- * @param {Voice} voice
- */
-export function destination({ verdict, amplitude, frequency }, voice) {
-  if (verdict === 'rests') return voice.say('phase.rest');
-  if (verdict === 'dies-out') return voice.say('phase.none');
-  if (verdict === 'grows' || !frequency) return voice.say('phase.grows');
-  return voice.say(verdict === 'rattles' ? 'phase.rattle' : 'phase.cycle', {
-    degrees: `±${voice.number(amplitude.torsionAngle * degrees, 3)}°`,
-    radians: voice.number(amplitude.torsionAngle, significant(amplitude.torsionAngle, 5)),
-    frequency: voice.number(frequency, 2),
-  });
-}
-
-/**
- * Decimals that show so many significant digits.
- * @param {number} value @param {number} digits
- */
-function significant(value, digits) {
-  return Math.max(0, digits - 1 - Math.floor(Math.log10(value || 1)));
 }
 
 customElements.define('shimmy-phase-lens', PhaseLens);

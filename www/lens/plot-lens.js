@@ -2,6 +2,7 @@ import { LitElement, html } from 'lit';
 import { tell } from '../command.js';
 import '../view/canvas.js';
 import { ghostLabel } from '../stage/ghost-label.js';
+import { mannerOf } from '../stage/manner.js';
 
 /**
  * @typedef {import('../controls/quantity.js').Quantity} Quantity
@@ -105,7 +106,7 @@ export class PlotLens extends LitElement {
   /** What sets a ghost apart, and what becomes of it. @param {Scene} scene @param {Scene['ghosts'][number]} ghost @param {Voice} voice */
   labelOf(scene, ghost, voice) {
     const apart = ghostLabel(ghost.parameters, scene.parameters, this.quantities, voice) || voice.say('compare.same');
-    return ghost.outlook && !this.isVeiled ? `${apart} (${voice.say(`compare.${ghost.outlook.verdict}`)})` : apart;
+    return ghost.outlook && !this.isVeiled ? `${apart} (${voice.say(`compare.${mannerOf(ghost.outlook)}`)})` : apart;
   }
 
   /** @type {import('../view/canvas.js').Paint} */

@@ -1,6 +1,7 @@
 import { chosenView } from './views.js';
 import { valuesLine } from './values-line.js';
 import { inkOver } from '../present/pen-layers.js';
+import { mannerOf } from '../stage/manner.js';
 
 /**
  * @typedef {import('../app.js').App} App
@@ -29,7 +30,7 @@ export function materialOf(app, { view }, host, theme, address) {
     experiment: { object: model, parameters, run: { initial } },
     ...(shown && canvas?.paint && {
       picture: { size: canvas.size, paint: canvas.paint, over: inkOver(canvas) ?? undefined },
-      caption: { title: `${shown.title(voice)} · ${voice.say(`verdict.${session.outlook.verdict}`)}`, values: valuesLine(quantities, state.parameters, voice), link: address },
+      caption: { title: `${shown.title(voice)} · ${voice.say(`verdict.${mannerOf(session.outlook)}`)}`, values: valuesLine(quantities, state.parameters, voice), link: address },
       theme,
     }),
   };

@@ -1,3 +1,5 @@
+import { mannerOf } from './manner.js';
+
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
  * @typedef {import('../words/voice.js').Voice} Voice
@@ -6,6 +8,8 @@
 const degrees = 180 / Math.PI;
 /** The engine's own limit of what it calls a swing of this model, in rad: the 29° of the words. */
 const trusted = 0.5;
+/** Less is straight ahead in every number shown, in rad. */
+const least = 0.005 / degrees;
 
 /**
  * The line under the verdict, part by part; an extra one is left out where there is little room.
@@ -13,11 +17,14 @@ const trusted = 0.5;
  * @param {Voice} voice
  * @returns {{ text: string, isExtra?: boolean }[]}
  */
-export function numbersOf({ verdict, settled, amplitude, frequency, present }, voice) {
-  if (verdict === 'rests') {
-    const angle = swing(amplitude.torsionAngle, voice).replace('±', '');
-    return [{ text: settled ? voice.say('verdict.rests.hint') : voice.say('verdict.rests.at', { angle }) }];
-  }
+export function numbersOf(outlook, voice) {
+  const { verdict, settled, amplitude, frequency, present } = outlook;
+  const manner = mannerOf(outlook);
+  const aside = (/** @type {number} */ angle) => ({ angle: swing(angle, voice).replace('±', '') });
+  const isAside = amplitude.torsionAngle > least;
+  if (manner === 'rests') return [{ text: isAside && !settled ? voice.say('verdict.rests.aside', aside(amplitude.torsionAngle)) : voice.say('verdict.rests.hint') }];
+  if (manner === 'stops' || (manner === 'creeps' && isAside)) return [{ text: voice.say('verdict.rests.at', aside(amplitude.torsionAngle)) }];
+  if (manner === 'creeps') return [{ text: voice.say('verdict.creeping', aside(present.amplitude)) }];
   const beat = present.frequency ?? frequency;
   const hertz = beat ? [{ text: `${voice.number(beat, 1)} Hz` }] : [];
   const now = swing(present.amplitude, voice);

@@ -1,5 +1,6 @@
 import { LitElement, html, svg } from 'lit';
 import { veil } from '../present/veil.js';
+import { mannerOf } from './manner.js';
 import { heldLine, numbersOf } from './verdict-line.js';
 
 /**
@@ -62,8 +63,9 @@ export class Verdict extends LitElement {
       <p class="verdict-numbers">${heldLine(this.angle, voice)}</p>`;
     if (this.isVeiled) return html`<h1 class="verdict-veil">${veil(voice)}</h1>`;
     if (!outlook) return html``;
+    const manner = mannerOf(outlook);
     return html`
-      <h1 data-verdict=${outlook.verdict}>${icon(outlook.verdict)}<span>${voice.say(`verdict.${outlook.verdict}`)}</span></h1>
+      <h1 data-verdict=${manner}>${icon(manner)}<span>${voice.say(`verdict.${manner}`)}</span></h1>
       <p class="verdict-numbers">${numbersOf(outlook, voice).map(({ text, isExtra }, i) => html`
         <span class=${isExtra ? 'extra' : ''}>${i ? html`<span class="dot">·</span> ` : ''}${text}</span>`)}</p>
       <p class="only-heard" aria-live="polite">${this.spoken}</p>`;
@@ -79,7 +81,8 @@ export class Verdict extends LitElement {
 
   /** @param {Outlook} outlook @param {Voice} voice */
   #speak(outlook, voice) {
-    const key = `${voice.language} ${outlook.verdict} ${outlook.settled} ${this.occasion}`;
+    const manner = mannerOf(outlook);
+    const key = `${voice.language} ${manner} ${outlook.settled} ${this.occasion}`;
     if (key === this.#spokenKey) return;
     clearTimeout(this.#later);
     const wait = this.#spokenAt + shortestSilence - performance.now();
@@ -89,20 +92,22 @@ export class Verdict extends LitElement {
     }
     this.#spokenKey = key;
     this.#spokenAt = performance.now();
-    this.spoken = [voice.say(`verdict.${outlook.verdict}`), ...numbersOf(outlook, voice).map(({ text }) => text)].join(', ');
+    this.spoken = [voice.say(`verdict.${manner}`), ...numbersOf(outlook, voice).map(({ text }) => text)].join(', ');
   }
 }
 
-/** @param {Outlook['verdict'] | 'held'} verdict */
-function icon(verdict) {
+/** @param {import('./manner.js').Manner | 'held'} manner */
+function icon(manner) {
   const line = {
     shimmies: svg`<path class="unstable" d="M2 15c3 0 3-4 5-4s3 9 6 9 3-16 6-16 3 12 6 12"/>`,
     grows: svg`<path class="unstable" d="M2 13c2 0 2-3 4-3s3 8 6 8 3-14 6-14 3 18 8 18"/>`,
     'dies-out': svg`<path class="stable" d="M2 4c4 0 3 16 7 16s4-11 7-11 3 5 5 5 2-2 5-2"/>`,
     rattles: svg`<path class="gap" d="M3 2v20M25 2v20"/><path class="psi" d="M6 14l5-6 6 8 5-6"/>`,
     held: svg`<path class="psi" d="M8 22c-3-4-6-7-6-9 0-2 2-2 3-1l3 3V5c0-2 3-2 3 0v6-8c0-2 3-2 3 0v8-7c0-2 3-2 3 0v8-5c0-2 3-2 3 0v8c0 4-2 6-3 7"/>`,
+    creeps: svg`<path class="stable" d="M2 4c2 11 8 15 24 16"/>`,
+    stops: svg`<path class="stable" d="M2 20c3 0 4-14 8-14s5 6 7 6h9"/>`,
     rests: svg`<path class="stable" d="M2 12h24"/>`,
-  }[verdict];
+  }[manner];
   return html`<svg viewBox="0 0 28 24" width="28" height="24" aria-hidden="true">${line}</svg>`;
 }
 

@@ -1,5 +1,6 @@
 import { LitElement, html } from 'lit';
 import { tell } from '../command.js';
+import { mannerOf } from '../stage/manner.js';
 
 /**
  * @typedef {import('../words/voice.js').Voice} Voice
@@ -46,6 +47,12 @@ export class Strip extends LitElement {
     return telling ? this.#story(telling, voice) : this.#hint(voice);
   }
 
+  /** What to try with such a motion: one that comes to rest is woken, however it gets there. */
+  get #advice() {
+    const manner = this.outlook ? mannerOf(this.outlook) : 'shimmies';
+    return manner === 'creeps' || manner === 'stops' ? 'rests' : manner;
+  }
+
   /** @param {Voice} voice */
   #notes(voice) {
     return html`
@@ -81,7 +88,7 @@ export class Strip extends LitElement {
       <div class="story">
         <div>
           <p class="story-title">${voice.say('story.title')}</p>
-          <p>${this.isVeiled ? voice.say('story.veiled') : voice.say(`story.${this.outlook?.verdict ?? 'shimmies'}`)}</p>
+          <p>${this.isVeiled ? voice.say('story.veiled') : voice.say(`story.${this.#advice}`)}</p>
         </div>
         ${this.canComeBack ? this.#wayOut(voice) : ''}
         <div class="story-walk">

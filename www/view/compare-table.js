@@ -5,11 +5,10 @@ import { quantities, valueOf } from './quantities.js';
 
 /**
  * @typedef {import('./energy-balance.js').Energy} Energy
- * @typedef {import('../engine/engine.js').Outlook} Outlook
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {{ symbol: string, text: string }} Change a value that differs from the run's: `c_Fα`, `18 1/rad`
  * @typedef {{
- *   changes: Change[], verdict: Outlook['verdict'], amplitude: number, frequency: number | null, energy: Energy | null,
+ *   changes: Change[], manner: import('../stage/manner.js').Manner, amplitude: number, frequency: number | null, energy: Energy | null,
  * }} Compared `amplitude` in rad, `frequency` in Hz, `energy` of one cycle
  */
 
@@ -82,13 +81,13 @@ function changes(list, voice) {
 }
 
 /** @param {Compared} row @param {Voice} voice */
-function results({ verdict, amplitude, frequency, energy }, voice) {
+function results({ manner, amplitude, frequency, energy }, voice) {
   const { fed, taken, whole } = balanceOf(energy);
   const write = energyWriter(whole, voice);
   const sum = (/** @type {{ value: number }[]} */ parts) => write(parts.reduce((total, { value }) => total + value, 0));
   const shown = amplitude * quantities.torsionAngle.perSI;
   return html`
-    <td class="verdict">${voice.say(`verdict.${verdict}`)}</td>
+    <td class="verdict">${voice.say(`verdict.${manner}`)}</td>
     <td class="figure">${amplitude > 0 ? `±${valueOf(quantities.torsionAngle, amplitude, shown < 2 ? 2 : 1, voice)}` : '0°'}</td>
     <td class="figure">${frequency ? `${voice.number(frequency, 1)} Hz` : '–'}</td>
     <td class="figure">${whole > 0 ? html`+${sum(fed)}<br>−${sum(taken)}` : '–'}</td>`;

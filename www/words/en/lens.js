@@ -17,10 +17,14 @@ export const lens = {
   'phase.heads.grows': '',
   'phase.heads.dies-out': 'it spirals to rest',
   'phase.heads.rests': '',
+  'phase.heads.creeps': 'it creeps to rest',
+  'phase.heads.stops': 'it spirals to rest',
   'phase.cycle': 'The cycle it settles on: {degrees} ({radians} rad) · {frequency} Hz',
   'phase.rattle': 'The rattle it settles on: {degrees} ({radians} rad) · {frequency} Hz',
   'phase.none': 'No limit cycle from here: this swing dies out.',
   'phase.rest': 'The wheel is at rest.',
+  'phase.creeps': 'No limit cycle from here: the wheel creeps to rest.',
+  'phase.stops': 'No limit cycle from here: the wheel comes to rest {angle} from straight ahead.',
   'phase.grows': 'No limit cycle within this model’s reach.',
   'phase.fit': 'Fit',
   'phase.fit.does': 'Fit the axes to this motion',
@@ -54,6 +58,8 @@ export const lens = {
   'compare.rattles': 'rattles',
   'compare.grows': 'grows',
   'compare.rests': 'rests',
+  'compare.creeps': 'creeps to rest',
+  'compare.stops': 'comes to rest',
 
   'why.short': 'Why: energy in one cycle',
 };

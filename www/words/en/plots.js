@@ -25,7 +25,7 @@ export const plots = {
   'energy.grows': 'More comes in than goes out: the swing gains {value} a cycle.',
   'energy.lasts': 'In equals out.',
   'energy.falls': 'More goes out than comes in: the swing loses {value} a cycle.',
-  'energy.rests': 'Nothing swings, so nothing goes in or out.',
+  'energy.rests': 'Nothing swings, so there is no cycle to count.',
   'energy.veiled': 'Hidden until you have guessed.',
   'energy.in': 'Tire in',
   'energy.out': 'Taken out',

@@ -17,10 +17,14 @@ export const lens = {
   'phase.heads.grows': '',
   'phase.heads.dies-out': 'sarmalla durmaya gider',
   'phase.heads.rests': '',
+  'phase.heads.creeps': 'salınmadan durmaya gider',
+  'phase.heads.stops': 'sarmalla durmaya gider',
   'phase.cycle': 'Yerleşeceği çevrim: {degrees} ({radians} rad) · {frequency} Hz',
   'phase.rattle': 'Yerleşeceği takırtı: {degrees} ({radians} rad) · {frequency} Hz',
   'phase.none': 'Buradan limit çevrime gidilmez: bu salınım söner.',
   'phase.rest': 'Tekerlek duruyor.',
+  'phase.creeps': 'Buradan limit çevrime gidilmez: tekerlek salınmadan durur.',
+  'phase.stops': 'Buradan limit çevrime gidilmez: tekerlek düz doğrultudan {angle} açıda durur.',
   'phase.grows': 'Bu modelin erişiminde limit çevrim yok.',
   'phase.fit': 'Sığdır',
   'phase.fit.does': 'Eksenleri bu harekete sığdır',
@@ -54,6 +58,8 @@ export const lens = {
   'compare.rattles': 'takırdıyor',
   'compare.grows': 'büyüyor',
   'compare.rests': 'duruyor',
+  'compare.creeps': 'salınmadan duruyor',
+  'compare.stops': 'durmaya gidiyor',
 
   'why.short': 'Neden: bir çevrimin enerjisi',
 };

@@ -25,7 +25,7 @@ export const plots = {
   'energy.grows': 'Giren enerji çıkandan fazla: salınım her çevrimde {value} kazanıyor.',
   'energy.lasts': 'Giren çıkana eşit.',
   'energy.falls': 'Çıkan enerji girenden fazla: salınım her çevrimde {value} yitiriyor.',
-  'energy.rests': 'Salınım yok, giren ve çıkan enerji de yok.',
+  'energy.rests': 'Salınım yok, sayılacak bir çevrim de yok.',
   'energy.veiled': 'Tahmin edilene dek gizli.',
   'energy.in': 'Lastikten',
   'energy.out': 'Çıkan',

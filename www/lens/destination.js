@@ -1,0 +1,37 @@
+import { mannerOf } from '../stage/manner.js';
+import { swing } from '../stage/verdict-line.js';
+
+/**
+ * @typedef {import('../engine/engine.js').Outlook} Outlook
+ * @typedef {import('../words/voice.js').Voice} Voice
+ */
+
+const degrees = 180 / Math.PI;
+
+/**
+ * The line under the phase portrait: where the motion goes.
+ * @param {Outlook} outlook
+ * @param {Voice} voice
+ */
+export function destination(outlook, voice) {
+  const { verdict, amplitude, frequency } = outlook;
+  const manner = mannerOf(outlook);
+  if (manner === 'rests') return voice.say('phase.rest');
+  if (manner === 'creeps') return voice.say('phase.creeps');
+  if (manner === 'stops') return voice.say('phase.stops', { angle: swing(amplitude.torsionAngle, voice).replace('±', '') });
+  if (manner === 'dies-out') return voice.say('phase.none');
+  if (verdict === 'grows' || !frequency) return voice.say('phase.grows');
+  return voice.say(verdict === 'rattles' ? 'phase.rattle' : 'phase.cycle', {
+    degrees: `±${voice.number(amplitude.torsionAngle * degrees, 3)}°`,
+    radians: voice.number(amplitude.torsionAngle, significant(amplitude.torsionAngle, 5)),
+    frequency: voice.number(frequency, 2),
+  });
+}
+
+/**
+ * Decimals that show so many significant digits.
+ * @param {number} value @param {number} digits
+ */
+function significant(value, digits) {
+  return Math.max(0, digits - 1 - Math.floor(Math.log10(value || 1)));
+}
