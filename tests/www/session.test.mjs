@@ -91,6 +91,19 @@ test('a refused value changes nothing and says why', () => {
   assert.ok(!store.canUndo);
 });
 
+test('of several values set at once one that is refused lets none through', () => {
+  const { store, session } = opened();
+  session.advance(0.1);
+  const refusal = session.setPoint({ dampingConstant: 60, velocity: -3 }, null);
+  assert.equal(refusal?.field, 'velocity');
+  assert.equal(session.scene(wanted).parameters.dampingConstant, 20);
+  assert.equal(store.state.parameters.dampingConstant, 20);
+  assert.ok(!store.canUndo && session.recipe.changes.length === 0);
+  assert.equal(session.setPoint({ dampingConstant: 60, velocity: 50 }, null), null);
+  store.undo();
+  assert.deepEqual([store.state.parameters.dampingConstant, store.state.parameters.velocity], [20, 80]);
+});
+
 test('a value set acts at once, and undo takes it back in the running gear', () => {
   const { store, session } = opened();
   session.advance(0.2);

@@ -101,6 +101,16 @@ export class Quantity {
   }
 
   /**
+   * The value rounded to what the field shows.
+   * @param {number} value in SI
+   * @returns {number} in SI
+   */
+  snapped(value) {
+    const shown = this.toShown(value);
+    return this.toSI(Number(this.isLogarithmic ? shown.toPrecision(3) : shown.toFixed(this.decimals)));
+  }
+
+  /**
    * A value rounded to what the slider sets, up or down. What is nearer than a hundredth of that to a round number is
    * that number: 27.5996 is 27.6.
    * @param {number} value in SI

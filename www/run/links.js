@@ -39,6 +39,16 @@ export function linksBrokenBy(name, links) {
 }
 
 /**
+ * Values that are set as they are: neither they nor what would follow them follow any more.
+ * @param {Readonly<Record<string, number>>} values @param {Links} links
+ * @returns {Links}
+ */
+export function linksBrokenByPoint(values, links) {
+  const parted = Object.keys(followed).filter((name) => links[name] && (name in values || followed[name].some((source) => source in values)));
+  return parted.length > 0 ? { ...links, ...Object.fromEntries(parted.map((name) => [name, false])) } : links;
+}
+
+/**
  * Which links these values keep: where values come from elsewhere, a relation that does not hold is not forced on them.
  * @param {Engine} engine
  * @param {string} model

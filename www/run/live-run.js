@@ -179,11 +179,19 @@ export class LiveRun {
   }
 
   /** @param {Omit<Change, 'time'>} change */
-  #enact({ set, state, kick }) {
-    for (const [name, value] of Object.entries(set ?? {})) this.#simulator.set(name, value);
+  #enact({ set = {}, state, kick }) {
+    const names = Object.keys(set);
+    for (const [i, name] of names.entries()) {
+      try {
+        this.#simulator.set(name, set[name]);
+      } catch (error) {
+        for (const done of names.slice(0, i)) this.#simulator.set(done, this.parameters[done]);
+        throw error;
+      }
+    }
     for (const [name, value] of Object.entries(state ?? {})) this.#simulator.setState(name, value);
     if (kick !== undefined) this.#simulator.kick(kick);
-    if (set) this.parameters = { ...this.parameters, ...set };
+    this.parameters = { ...this.parameters, ...set };
   }
 
   /** @param {Done} change */

@@ -15,6 +15,7 @@
 
 import { roundStep } from '../view/scale.js';
 import { spanFor } from './fit.js';
+import { linearLooks } from './linear-looks.js';
 import { onward } from './lookout.js';
 
 /** Cycles that the trail shows, and that of a ghost. */
@@ -136,6 +137,8 @@ function looksFurther(engine, live, beat) {
     },
     /** The forces along a part of a run or of a ghost. @param {string} of @param {Readonly<Record<string, number>>} values @param {import('../engine/engine.js').Columns} states */
     forcesAlong: (of, values, states) => engine.forcesAlong({ model: of, parameters: values }, states),
+    /** What linear theory says of the gear as it is. */
+    linear: linearLooks(engine, model),
     /** The forces of a ghost at its state. @param {{ kept: { object: string }, parameters: Readonly<Record<string, number>>, state: Float64Array }} ghost */
     forcesOf: (ghost) => engine.forces({ model: ghost.kept.object, parameters: ghost.parameters }, ghost.state),
   };

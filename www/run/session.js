@@ -7,7 +7,7 @@
 
 import { spanFor } from './fit.js';
 import { Ghosts } from './ghosts.js';
-import { followed, linksBrokenBy, withFollowers } from './links.js';
+import { followed, linksBrokenBy, linksBrokenByPoint, withFollowers } from './links.js';
 import { LiveRun, recipeOf } from './live-run.js';
 import { Lookout } from './lookout.js';
 import { Odometer } from './odometer.js';
@@ -195,15 +195,19 @@ export class Session {
    * @returns {Refusal | null} why it was refused
    */
   set(name, value, gesture) {
-    const place = this.#place;
     const links = linksBrokenBy(name, this.#store.state.links);
-    try {
-      this.#apply(withFollowers(this.#engine, { [name]: value }, this.#live, links), gesture);
-    } catch (error) {
-      return /** @type {Refusal} */ (error);
-    }
-    this.#store.update({ parameters: { ...this.#live.parameters }, links }, gesture, place);
-    return null;
+    return this.#setAll(() => withFollowers(this.#engine, { [name]: value }, this.#live, links), links, gesture);
+  }
+
+  /**
+   * Sets several parameters at once and nothing besides: what would follow them is parted from them, for they are given as
+   * a point is.
+   * @param {Record<string, number>} values in SI
+   * @param {string | null} gesture what is undone together
+   * @returns {Refusal | null} why one was refused; then none is set
+   */
+  setPoint(values, gesture) {
+    return this.#setAll(() => values, linksBrokenByPoint(values, this.#store.state.links), gesture);
   }
 
   /**
@@ -318,6 +322,18 @@ export class Session {
     this.#store.did(place);
     this.refresh();
     this.#refit();
+  }
+
+  /** @param {() => Record<string, number>} values @param {State['links']} links @param {string | null} gesture @returns {Refusal | null} */
+  #setAll(values, links, gesture) {
+    const place = this.#place;
+    try {
+      this.#apply(values(), gesture);
+    } catch (error) {
+      return /** @type {Refusal} */ (error);
+    }
+    this.#store.update({ parameters: { ...this.#live.parameters }, links }, gesture, place);
+    return null;
   }
 
   /**

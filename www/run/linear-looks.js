@@ -1,0 +1,48 @@
+/**
+ * What linear theory says of the gear as it is: asked for when a lens looks, with two of its values put elsewhere or not.
+ * A gear with freeplay is linear about its middle, inside the gap, where no spring works.
+ *
+ * @typedef {import('../engine/engine.js').Engine} Engine
+ * @typedef {ReturnType<Engine['eigenvalues']>[number]} Eigenvalue
+ * @typedef {ReturnType<Engine['stabilityMap']>} StabilityMap
+ * @typedef {ReturnType<Engine['hopfCurve']>[number]} BoundaryCurve
+ * @typedef {'stable' | 'growthRate' | 'frequency' | 'kind'} Asked
+ * @typedef {{ parameter: string, from: number, to: number }} Range of a parameter, in SI
+ * @typedef {ReturnType<typeof linearLooks>} LinearLooks
+ */
+
+/** A swing so small that neither tire nor gap can limit it, in rad: it goes as linear theory says. */
+const tiny = 1e-7;
+
+/**
+ * @param {Engine} engine
+ * @param {{ model: string, parameters: Readonly<Record<string, number>> }} gear
+ */
+export function linearLooks(engine, { model, parameters }) {
+  return {
+    /** Half of the gap: where it is not 0, a swing that has left it is not what linear theory speaks of. */
+    isGapped: (parameters.freeplayAngle ?? 0) > 0,
+    /**
+     * By falling real part, of a pair the positive imaginary part first.
+     * @param {Readonly<Record<string, number>>} [values] that are others
+     * @returns {Eigenvalue[]}
+     */
+    eigenvalues: (values = {}) => engine.eigenvalues({ model, parameters: { ...parameters, ...values } }),
+    /**
+     * Row by row from the least `y`, values at the middle of cells.
+     * @param {Range & { count: number }} x @param {Range & { count: number }} y @param {Asked[]} quantities
+     * @returns {StabilityMap}
+     */
+    map: (x, y, quantities) => engine.stabilityMap({ model, parameters, x, y, quantities }),
+    /** Where in a plane stability ends. @param {Range} x @param {Range} y @returns {BoundaryCurve[]} */
+    boundary: (x, y) => engine.hopfCurve({ model, parameters, x, y }),
+    /**
+     * A swing too small to be limited, as multiples of the angle that it starts from.
+     * @param {number} duration in s @param {number} samples
+     */
+    smallSwing: (duration, samples) => {
+      const { time, torsionAngle } = engine.simulate({ model, parameters, initial: { torsionAngle: tiny }, duration, samples, rtol: 1e-6, atol: tiny * 1e-7 });
+      return { time, angle: torsionAngle.map((angle) => angle / tiny) };
+    },
+  };
+}
