@@ -212,6 +212,17 @@ export class SvgContext {
     this.#write(text, x, y, 'stroke');
   }
 
+  /**
+   * A picture of pixels, which stays one.
+   * @param {{ toDataURL?: () => string }} image a canvas @param {number} x @param {number} y @param {number} width @param {number} height
+   */
+  drawImage(image, x, y, width, height) {
+    if (!image.toDataURL) throw new Error('only a canvas can be drawn into an SVG');
+    const opacity = this.globalAlpha < 1 ? ` opacity="${this.globalAlpha}"` : '';
+    this.#draw(`<image x="${short(x)}" y="${short(y)}" width="${short(width)}" height="${short(height)}"${turned(this.#matrix)}`
+      + ` preserveAspectRatio="none"${opacity} href="${image.toDataURL()}"/>`);
+  }
+
   /** @param {number} x1 @param {number} y1 @param {number} x2 @param {number} y2 */
   createLinearGradient(x1, y1, x2, y2) {
     return new SvgGradient('linearGradient', { x1, y1, x2, y2 });

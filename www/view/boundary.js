@@ -1,0 +1,38 @@
+/**
+ * Where stability ends in a plane: a solid line where a swing begins to grow (Hopf), a dashed one with dots where the wheel
+ * begins to turn aside (divergence).
+ *
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {import('../run/linear-looks.js').BoundaryCurve} BoundaryCurve
+ */
+
+import { curveOf, strokeCurve } from './curve.js';
+
+/** @type {Readonly<Record<BoundaryCurve['kind'], number[]>>} */
+export const boundaryDashes = { hopf: [], divergence: [9, 4, 2, 4] };
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {readonly BoundaryCurve[]} curves
+ * @param {(value: number) => number} x
+ * @param {(value: number) => number} y
+ * @param {Theme} theme
+ */
+export function drawBoundary(context, curves, x, y, theme) {
+  context.lineJoin = 'round';
+  for (const { kind, closed, ...points } of curves) {
+    const curve = curveOf(points.x, points.y, x, y);
+    context.setLineDash([]);
+    // On a pale edge, so that it stands off the strongest color.
+    context.strokeStyle = theme.surface;
+    context.lineWidth = 4.5 * theme.line;
+    context.globalAlpha = 0.7;
+    strokeCurve(context, curve, { isClosed: closed });
+    context.globalAlpha = 1;
+    context.setLineDash(boundaryDashes[kind].map((length) => length * theme.line));
+    context.strokeStyle = theme.unstable;
+    context.lineWidth = 2.5 * theme.line;
+    strokeCurve(context, curve, { isClosed: closed });
+  }
+  context.setLineDash([]);
+}

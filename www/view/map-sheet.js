@@ -1,0 +1,161 @@
+import { drawHatch, hatchOf } from './hatch.js';
+import { cellAt, valueIn } from './field.js';
+import { isoLinesOf } from './iso-lines.js';
+import { overlap } from './corner.js';
+import { roomiest } from './roomiest.js';
+import { tickDecimals, ticks } from './scale.js';
+import { textFont } from './text.js';
+
+/**
+ * What of a stability map depends on nothing but the map and its frame: hatch, lines of equal value with their numbers, a
+ * word in each region. Made once and drawn often.
+ *
+ * @typedef {import('./axes.js').Box} Box
+ * @typedef {import('./map-colors.js').Coloring} Coloring
+ * @typedef {import('./map-colors.js').Limits} Limits
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {import('../words/voice.js').Voice} Voice
+ * @typedef {'stable' | 'hopf' | 'divergence'} Region
+ * @typedef {{
+ *   columns: number, rows: number, stable: Uint8Array, growthRate: Float64Array | null, frequency: Float64Array | null, kind: Uint8Array | null,
+ * }} StabilityMap row by row from the lowest; `kind`: of the leading root, as the engine numbers them
+ * @typedef {{ text: string, box: Box, color: string }} Word
+ * @typedef {{
+ *   hatch: Float32Array, lines: { x: number[], y: number[] }[], numbers: Word[], words: Word[],
+ * }} MapSheet in px
+ */
+
+/** The number of a leading root that does not swing. */
+const divergent = 0;
+const wordScale = 1.3;
+/** Where along a line its number may stand, the best first. */
+const numberPlaces = [0.5, 0.35, 0.65, 0.2, 0.8, 0.08, 0.92];
+
+/**
+ * @param {CanvasRenderingContext2D} context that knows how wide words are
+ * @param {Box} frame
+ * @param {StabilityMap} map
+ * @param {{ coloring: Coloring, limits: Limits, words: Readonly<Record<Region, string>> }} look
+ * @param {Theme} theme
+ * @param {Voice} voice
+ * @returns {MapSheet}
+ */
+export function sheetOf(context, frame, map, { coloring, limits, words }, theme, voice) {
+  const { columns, rows, growthRate } = map;
+  const field = (/** @type {ArrayLike<number>} */ values) => ({ values, columns, rows });
+  const stable = field(map.stable);
+  const isUnstable = growthRate
+    ? (/** @type {number} */ across, /** @type {number} */ up) => valueIn(field(growthRate), across, up) > 0
+    : (/** @type {number} */ across, /** @type {number} */ up) => !cellAt(stable, across, up);
+  const regionAt = (/** @type {number} */ across, /** @type {number} */ up) => {
+    if (cellAt(stable, across, up)) return 'stable';
+    const cell = Math.min(Math.floor(up * rows), rows - 1) * columns + Math.min(Math.floor(across * columns), columns - 1);
+    return map.kind?.[cell] === divergent ? 'divergence' : 'hopf';
+  };
+
+  context.font = textFont(theme, wordScale, 700);
+  const height = theme.size * wordScale * 1.5;
+  const sizes = Object.fromEntries(Object.entries(words).map(([region, word]) => [region, { width: context.measureText(word).width + theme.size, height }]));
+  const placed = Object.entries(roomiest(frame, regionAt, sizes)).map(([region, { x, y }]) => ({
+    text: words[/** @type {Region} */ (region)],
+    box: boxAround(x, y, sizes[region]),
+    color: region === 'stable' ? theme.stable : theme.unstable,
+  }));
+
+  const values = coloring === 'growthRate' ? growthRate : coloring === 'frequency' ? map.frequency : null;
+  const levels = values ? levelsOf(coloring, limits) : [];
+  const decimals = tickDecimals(levels);
+  /** @type {MapSheet} */
+  const sheet = { hatch: hatchOf(frame, isUnstable, theme), lines: [], numbers: [], words: placed };
+  context.font = textFont(theme, 0.85);
+  for (const level of values ? levels : []) {
+    const lines = isoLinesOf(thinned(field(/** @type {Float64Array} */ (values))), level).map(({ across, up }) => ({
+      x: across.map((share) => frame.left + share * (frame.right - frame.left)),
+      y: up.map((share) => frame.bottom - share * (frame.bottom - frame.top)),
+    }));
+    sheet.lines.push(...lines);
+    const text = (level > 0 && coloring === 'growthRate' ? '+' : '') + voice.number(level, decimals);
+    const size = { width: context.measureText(text).width + 6, height: theme.size * 1.2 };
+    const longest = lines.reduce((most, line) => (line.x.length > most.x.length ? line : most), { x: /** @type {number[]} */ ([]), y: /** @type {number[]} */ ([]) });
+    const box = numberPlaces.map((share) => boxOn(longest, share, size)).find((one) => one && isInside(one, frame)
+      && ![...placed, ...sheet.numbers].some((other) => overlap(one, other.box)));
+    if (box) sheet.numbers.push({ text, box, color: theme.ink2 });
+  }
+  return sheet;
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {MapSheet} sheet
+ * @param {Theme} theme
+ */
+export function drawIsoLines(context, { lines, numbers }, theme) {
+  context.strokeStyle = theme.ink2;
+  context.lineWidth = 0.9 * theme.line;
+  context.globalAlpha = 0.75;
+  context.beginPath();
+  for (const { x, y } of lines) for (let i = 0; i < x.length; i++) context[i === 0 ? 'moveTo' : 'lineTo'](x[i], y[i]);
+  context.stroke();
+  context.globalAlpha = 1;
+  writeWords(context, numbers, textFont(theme, 0.85), theme);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {MapSheet} sheet @param {Theme} theme */
+export function drawRegionWords(context, { words }, theme) {
+  writeWords(context, words, textFont(theme, wordScale, 700), theme);
+}
+
+export { drawHatch };
+
+/** @param {CanvasRenderingContext2D} context @param {Word[]} words @param {string} font @param {Theme} theme */
+function writeWords(context, words, font, theme) {
+  context.font = font;
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  context.lineJoin = 'round';
+  context.lineWidth = 4;
+  context.strokeStyle = theme.surface;
+  for (const { text, box } of words) context.strokeText(text, (box.left + box.right) / 2, (box.top + box.bottom) / 2);
+  for (const { text, box, color } of words) {
+    context.fillStyle = color;
+    context.fillText(text, (box.left + box.right) / 2, (box.top + box.bottom) / 2);
+  }
+}
+
+/** Round values of which lines are drawn; the boundary itself is drawn from another source. @param {Coloring} coloring @param {Limits} limits */
+function levelsOf(coloring, { growthRate, frequency }) {
+  if (coloring === 'growthRate') return ticks(-growthRate, growthRate, 9).filter((level) => level !== 0);
+  return ticks(frequency[0], frequency[1], 7);
+}
+
+/** Every other value of a fine field: lines need no more. @param {import('./field.js').Field} field @returns {import('./field.js').Field} */
+function thinned(field) {
+  if (field.columns < 300) return field;
+  const [columns, rows] = [Math.floor(field.columns / 2), Math.floor(field.rows / 2)];
+  const values = new Float64Array(columns * rows);
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) {
+      const at = 2 * row * field.columns + 2 * column;
+      // The middle of four is where the middle of the larger cell is.
+      values[row * columns + column] = (field.values[at] + field.values[at + 1] + field.values[at + field.columns] + field.values[at + field.columns + 1]) / 4;
+    }
+  }
+  return { values, columns, rows };
+}
+
+/** @param {{ x: number[], y: number[] }} line @param {number} share @param {{ width: number, height: number }} size @returns {Box | null} */
+function boxOn({ x, y }, share, size) {
+  if (x.length < 2) return null;
+  const at = Math.round(share * (x.length - 1));
+  return boxAround(x[at], y[at], size);
+}
+
+/** @param {number} x @param {number} y @param {{ width: number, height: number }} size @returns {Box} */
+function boxAround(x, y, { width, height }) {
+  return { left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 };
+}
+
+/** @param {Box} box @param {Box} frame */
+function isInside(box, frame) {
+  return box.left >= frame.left && box.right <= frame.right && box.top >= frame.top && box.bottom <= frame.bottom;
+}

@@ -1,0 +1,59 @@
+/**
+ * The gear as a point in a plane of two of its values: a ring, with dotted lines to both axes. Beyond the plane's range it
+ * stands at the edge, with an arrow to where it is.
+ *
+ * @typedef {import('./axes.js').Box} Box
+ * @typedef {import('../style/theme.js').Theme} Theme
+ */
+
+/** In px. */
+const radius = 9;
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Box} frame
+ * @param {{ x: number, y: number }} point in px
+ * @param {Theme} theme
+ */
+export function drawWorkingPoint(context, frame, point, theme) {
+  const x = Math.min(Math.max(point.x, frame.left), frame.right);
+  const y = Math.min(Math.max(point.y, frame.top), frame.bottom);
+  const size = radius * Math.sqrt(theme.line);
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 1.5 * theme.line;
+  context.setLineDash([1.5 * theme.line, 4 * theme.line]);
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(x, frame.bottom);
+  context.moveTo(x, y);
+  context.lineTo(frame.left, y);
+  context.stroke();
+  context.setLineDash([]);
+
+  context.beginPath();
+  context.arc(x, y, size, 0, 2 * Math.PI);
+  context.fillStyle = theme.surface;
+  context.fill();
+  context.strokeStyle = theme.surface;
+  context.lineWidth = 6 * theme.line;
+  context.stroke();
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 2.5 * theme.line;
+  context.stroke();
+
+  const [beyondX, beyondY] = [Math.sign(Math.round(point.x - x)), Math.sign(Math.round(point.y - y))];
+  if (beyondX !== 0 || beyondY !== 0) drawArrow(context, x, y, Math.atan2(beyondY, beyondX), size, theme);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {number} angle @param {number} size @param {Theme} theme */
+function drawArrow(context, x, y, angle, size, theme) {
+  const at = (/** @type {number} */ along, /** @type {number} */ aside) =>
+    /** @type {const} */ ([x + along * Math.cos(angle) - aside * Math.sin(angle), y + along * Math.sin(angle) + aside * Math.cos(angle)]);
+  context.fillStyle = theme.ink;
+  context.beginPath();
+  context.moveTo(...at(0.75 * size, 0));
+  context.lineTo(...at(-0.4 * size, 0.55 * size));
+  context.lineTo(...at(-0.4 * size, -0.55 * size));
+  context.closePath();
+  context.fill();
+}
