@@ -21,6 +21,8 @@ import { viewsOf } from './out/views.js';
 import { readTheme } from './style/theme.js';
 import { Teller } from './story/telling.js';
 
+/** These have the room for themselves. */
+const withoutWhy = ['compare', 'stability'];
 const stillness = matchMedia('(prefers-reduced-motion: reduce)');
 
 /**
@@ -94,8 +96,8 @@ export class Page extends LitElement {
               .canComeBack=${app.left !== null} .isVeiled=${isVeiled}></shimmy-strip>`}
           ${this.#isActing ? html`<p class="opening-line" role="status">${app.act?.moment === 'wheel' ? '' : voice.say('act.sentence')}</p>` : ''}
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}></shimmy-lens-tabs>
-          ${lensElement(lens, { voice, shows: views[lens] ?? '', isVeiled, quantities })}
-          ${lens === 'compare' ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
+          ${lensElement(lens, { voice, shows: views[lens] ?? '', views, isVeiled, quantities })}
+          ${withoutWhy.includes(lens) ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
           ${app.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.all', { count: quantities.length })} .voice=${voice}
             .quantities=${quantities} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
             .unstable=${app.unstable} .explained=${app.explained} .isVeiled=${isVeiled}></shimmy-drawer>` : ''}

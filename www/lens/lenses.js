@@ -13,7 +13,7 @@
 export const lenses = [
   { name: 'phase', ready: true },
   { name: 'forces', ready: true },
-  { name: 'stability', ready: false },
+  { name: 'stability', ready: true },
   { name: 'cycles', ready: false },
   { name: 'damper', ready: false },
   { name: 'landing', ready: false },

@@ -16,6 +16,7 @@
 
 import { isVelocityUnit } from '../controls/unit.js';
 import { lenses } from '../lens/lenses.js';
+import { readLocus, readPlane } from '../lens/stability/settings.js';
 import { mostGhosts } from '../run/ghosts.js';
 import { slowRates } from '../run/rate.js';
 import { mostStrokes, strokeOf } from './pen.js';
@@ -148,6 +149,14 @@ export const readers = {
     state.velocityUnit = value;
     return null;
   },
+  'view.plane': (reading, value) => {
+    const plane = readPlane(value, reading.table.parameters);
+    return plane ? looked(reading, 'plane', value, [plane.x, plane.y]) : 'unclear';
+  },
+  'view.locus': (reading, value) => {
+    const locus = readLocus(value, reading.table.parameters);
+    return locus ? looked(reading, 'locus', value, locus.family ? [locus.sweep, locus.family] : [locus.sweep]) : 'unclear';
+  },
   story: ({ state }, value) => {
     const [name, step = '0'] = value.split(',');
     if (!/^[\w.-]+$/.test(name) || !/^\d{1,3}$/.test(step)) return 'unclear';
@@ -172,6 +181,18 @@ export const readers = {
     return null;
   },
 };
+
+/**
+ * What is seen over ranges of parameters, whose ends the engine must take.
+ * @param {Reading} reading @param {string} of @param {string} value @param {{ parameter: string, from: number, to: number }[]} ranges
+ * @returns {Problem['reason'] | null}
+ */
+function looked(reading, of, value, ranges) {
+  const ends = /** @type {const} */ (['from', 'to']);
+  if (!ends.every((end) => accepted(reading, Object.fromEntries(ranges.map((range) => [range.parameter, range[end]])), {}))) return 'refused';
+  reading.state.views = { ...reading.state.views, [of]: value };
+  return null;
+}
 
 /**
  * Takes one pair into the reading, or says why it cannot.

@@ -2,20 +2,35 @@
  * The views on the screen that can leave it as pictures.
  *
  * @typedef {import('../words/voice.js').Voice} Voice
- * @typedef {Pick<import('../store.js').State, 'lens'>} Looked
+ * @typedef {Pick<import('../store.js').State, 'lens' | 'views'>} Looked
  * @typedef {{ name: string, element: string, title: (voice: Voice) => string }} Shown `element`: its canvas, a selector
  */
 
 /** @param {Looked} state @returns {Shown[]} */
-export function viewsOf({ lens }) {
+export function viewsOf({ lens, views }) {
   return [
     { name: 'gear', element: '.gear shimmy-canvas', title: (voice) => voice.say('stage.name') },
     { name: 'time', element: 'shimmy-timeline shimmy-canvas', title: (voice) => voice.say('timeline.name') },
-    { name: lens, element: '#lens-panel shimmy-canvas', title: (voice) => voice.say(/** @type {import('../words/voice.js').Key} */ (`lens.${lens}`)) },
+    ...(lens === 'stability' ? stabilityViews(views) : [{ name: lens, element: '#lens-panel shimmy-canvas', title: titled(`lens.${lens}`) }]),
   ];
 }
 
 /** @param {string} name @param {Looked} state */
 export function chosenView(name, state) {
   return viewsOf(state).find((view) => view.name === name) ?? null;
+}
+
+/** @param {Looked['views']} views @returns {Shown[]} */
+function stabilityViews({ stability }) {
+  if (stability === 'locus') return [{ name: 'locus', element: '#lens-panel shimmy-canvas', title: titled('stability.view.locus') }];
+  return [
+    { name: 'plane', element: '#lens-panel shimmy-plane shimmy-canvas', title: titled('stability.view.plane') },
+    { name: 'roots', element: '#lens-panel .roots shimmy-canvas', title: titled('roots.title') },
+    { name: 'history', element: '#lens-panel .history shimmy-canvas', title: titled('history.title') },
+  ];
+}
+
+/** @param {string} key @returns {Shown['title']} */
+function titled(key) {
+  return (voice) => voice.say(/** @type {import('../words/voice.js').Key} */ (key));
 }

@@ -6,10 +6,11 @@ import { page } from './page.js';
 import { plots } from './plots.js';
 import { present } from './present.js';
 import { presets } from './presets.js';
+import { stability } from './stability.js';
 import { stage } from './stage.js';
 import { story } from './story.js';
 
 /** Every string of the page in Turkish. @type {typeof import('../en/index.js').en} */
 export const tr = {
-  ...atlas, ...controls, ...lens, ...out, ...page, ...plots, ...present, ...presets, ...stage, ...story,
+  ...atlas, ...controls, ...lens, ...out, ...page, ...plots, ...present, ...presets, ...stability, ...stage, ...story,
 };

@@ -1,0 +1,262 @@
+import { html } from 'lit';
+import '../view/canvas.js';
+import { drawLinearHistory } from '../view/linear-history.js';
+import { pathsThrough } from '../view/root-paths.js';
+import { drawRootLocus } from '../view/root-locus.js';
+import { drawRoots } from '../view/roots.js';
+import { PlotLens } from './plot-lens.js';
+import { planeChoices } from './stability/choices.js';
+import { locusChoices } from './stability/locus-choices.js';
+import { Loci } from './stability/loci.js';
+import './stability/plane.js';
+import { PlaneMap } from './stability/plane-map.js';
+import { RootsLimits } from './stability/roots-limits.js';
+import { RootsWalk } from './stability/roots-walk.js';
+import { becomes, crossingInWords, doubling, lowerName, pairInNumbers, plainSymbol, rangeInWords } from './stability/say.js';
+import { locusOf, planeOf } from './stability/settings.js';
+import { smallSwing } from './stability/small-swing.js';
+
+/**
+ * @typedef {import('../run/scene.js').Scene} Scene
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {import('../view/canvas.js').Canvas} Canvas
+ * @typedef {import('../view/canvas.js').Paint} Paint
+ * @typedef {import('../words/voice.js').Voice} Voice
+ */
+
+/** A swing is drawn up to so many times its start: what grows leaves the picture, and the scale stays. */
+const historyLimit = 3;
+
+/**
+ * The lens *Stability*: what linear theory says of the gear. A plane of two parameters in which the gear is a point to be
+ * dragged, the roots that walk with it, and a small swing in its envelope; or the roots' ways as a parameter is swept.
+ */
+export class StabilityLens extends PlotLens {
+  static properties = { ...PlotLens.properties, settings: { attribute: false }, share: { state: true }, said: { state: true }, spoken: { state: true } };
+
+  #map = new PlaneMap();
+  #walk = new RootsWalk();
+  #limits = new RootsLimits();
+  #loci = new Loci();
+  /** @type {ReturnType<typeof smallSwing> | null} */ #swing = null;
+  /** What was drawn last, so that nothing is drawn twice. @type {unknown[]} */ #drawn = [];
+  /** Frames until a coarse map is refined, and which; another begins them anew. */ #patience = 0;
+  /** @type {unknown} */ #coarse = null;
+  #frame = 0;
+
+  constructor() {
+    super();
+    /** What each lens shows, by its name; here `plane` and `locus` are of interest. @type {Readonly<Record<string, string>>} */
+    this.settings = {};
+    /** How much of the plane is stable, in per cent. @type {number | null} */ this.share = null;
+    /** What has just happened, for those who do not see it. */ this.said = '';
+    /** What the roots and the swing say. */ this.spoken = { roots: '', history: '' };
+  }
+
+  disconnectedCallback() {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    super.disconnectedCallback();
+  }
+
+  get views() {
+    return ['plane', 'locus'];
+  }
+
+  /** @param {string} name @param {Voice} voice */
+  nameOfView(name, voice) {
+    return voice.say(/** @type {import('../words/voice.js').Key} */ (`stability.view.${name}`));
+  }
+
+  get #parameters() {
+    return this.quantities.map(({ parameter }) => parameter);
+  }
+
+  get #plane() {
+    return planeOf(this.settings.plane ?? '', this.#parameters);
+  }
+
+  get #locus() {
+    return locusOf(this.settings.locus ?? '', this.#parameters);
+  }
+
+  /** @param {string} name */
+  #quantity(name) {
+    return this.quantities.find((one) => one.name === name);
+  }
+
+  /** @param {Voice} voice */
+  line(voice) {
+    const isGapped = this.scene?.linear.isGapped ?? false;
+    if (this.view === 'locus') {
+      const swept = this.#quantity(this.#locus.sweep.parameter);
+      const line = swept ? voice.say('locus.line', { sweep: lowerName(swept, voice) }) : '';
+      return html`<p>${isGapped ? voice.say('locus.line.gap', { line }) : line}</p>`;
+    }
+    return html`<p class="share">${this.isVeiled ? '' : this.#shareInWords(voice)}</p>`;
+  }
+
+  /** @param {Voice} voice */
+  #shareInWords(voice) {
+    const { x, y } = this.#plane;
+    const [across, up] = [this.#quantity(x.parameter), this.#quantity(y.parameter)];
+    if (this.share === null || !across || !up) return voice.say('stability.none');
+    const share = voice.say('stability.share', { share: voice.number(this.share, 1), x: rangeInWords(across, x, voice), y: rangeInWords(up, y, voice) });
+    return this.scene?.linear.isGapped ? voice.say('stability.share.gap', { share }) : share;
+  }
+
+  /** @param {Voice} voice */
+  plot(voice) {
+    if (this.quantities.length < 2) return '';
+    if (this.view === 'locus') {
+      return html`
+        <div class="stability" data-view="locus">
+          ${locusChoices(this, this.#locus, this.quantities, voice)}
+          <shimmy-canvas .label=${this.#locusLabel(voice)} .paint=${this.#paintLocus}></shimmy-canvas>
+        </div>`;
+    }
+    const duration = voice.number((this.#swing?.duration ?? 0) * 1000, 0);
+    const { roots, history } = this.spoken;
+    const rootsLabel = this.isVeiled ? voice.say('roots.name.veiled') : voice.say('roots.name', { reading: roots });
+    const historyLabel = this.isVeiled ? voice.say('history.name.veiled') : voice.say('history.name', { duration, reading: history });
+    return html`
+      <div class="stability" data-view="plane">
+        ${planeChoices(this, this.#plane, this.quantities, voice)}
+        <shimmy-plane .voice=${voice} .quantities=${this.quantities} .plane=${this.#plane} .isVeiled=${this.isVeiled} .label=${this.#planeLabel(voice)}></shimmy-plane>
+        <div class="roots"><shimmy-canvas .label=${rootsLabel} .paint=${this.#paintRoots}></shimmy-canvas></div>
+        <div class="history"><shimmy-canvas .label=${historyLabel} .paint=${this.#paintHistory}></shimmy-canvas></div>
+        <p class="only-heard" role="status">${this.isVeiled ? '' : this.said}</p>
+      </div>`;
+  }
+
+  /** @param {Voice} voice */
+  #planeLabel(voice) {
+    const { x, y } = this.#plane;
+    const [across, up] = [this.#quantity(x.parameter), this.#quantity(y.parameter)];
+    if (!across || !up) return '';
+    const names = { across: lowerName(across, voice), up: lowerName(up, voice) };
+    return this.isVeiled ? voice.say('stability.name.veiled', names) : voice.say('stability.name', { ...names, share: this.#shareInWords(voice) });
+  }
+
+  /** @param {Voice} voice */
+  #locusLabel(voice) {
+    const { sweep, family } = this.#locus;
+    const [swept, other] = [this.#quantity(sweep.parameter), this.#quantity(family?.parameter ?? '')];
+    if (!swept) return '';
+    const values = { sweep: lowerName(swept, voice), from: swept.write(sweep.from, voice), to: swept.write(sweep.to, voice) };
+    return family && other ? voice.say('locus.name.family', { ...values, count: family.count, other: lowerName(other, voice) }) : voice.say('locus.name', values);
+  }
+
+  updated() {
+    this.#drawn = [];
+    if (this.scene && this.theme) this.draw(this.scene, this.theme);
+  }
+
+  /** @param {Scene} scene @param {Theme} theme */
+  draw(scene, theme) {
+    this.scene = scene;
+    this.theme = theme;
+    const followed = this.#walk.follow(scene, performance.now() / 1000);
+    if (followed === 'crossed') this.#announce();
+    if (this.view === 'locus') {
+      this.#redrawWhere([scene.parameters, this.#loci.look(scene, this.#locus), theme], 'shimmy-canvas');
+      return;
+    }
+    this.#drawPlane(scene, theme);
+    if (followed !== 'same' || !this.#swing) this.#swing = this.#swingOf(scene);
+    const { roots } = this.#walk;
+    this.#limits.hold(roots, scene.scales);
+    this.#redrawWhere([roots, this.#swing, this.#limits.limits, theme, this.isVeiled, this.voice], '.roots shimmy-canvas, .history shimmy-canvas');
+    this.#speak(roots);
+  }
+
+  /** The map, coarse at first; it is refined once nothing has changed for a frame. @param {Scene} scene @param {Theme} theme */
+  #drawPlane(scene, theme) {
+    const plane = /** @type {import('./stability/plane.js').PlaneView | null} */ (this.querySelector('shimmy-plane'));
+    if (!plane) return;
+    const looked = this.isVeiled ? null : this.#map.look(scene, this.#plane);
+    plane.draw(scene, looked, theme);
+    const share = looked?.share ?? null;
+    if (share !== this.share) this.share = share;
+    if (!looked?.isCoarse || looked === this.#coarse) return;
+    this.#coarse = looked;
+    this.#patience = 2;
+    if (!this.#frame) this.#frame = requestAnimationFrame(this.#refineSoon);
+  }
+
+  #refineSoon = () => {
+    this.#frame = 0;
+    if (--this.#patience > 0) {
+      this.#frame = requestAnimationFrame(this.#refineSoon);
+      return;
+    }
+    this.#map.refine();
+    if (this.scene && this.theme) this.#drawPlane(this.scene, this.theme);
+  };
+
+  /** @param {Scene} scene */
+  #swingOf({ linear }) {
+    const { roots } = this.#walk;
+    try {
+      return roots.length > 0 ? smallSwing(linear, roots) : null;
+    } catch {
+      return null;
+    }
+  }
+
+  /** @param {unknown[]} wanted what is to be seen @param {string} where */
+  #redrawWhere(wanted, where) {
+    if (wanted.length === this.#drawn.length && wanted.every((one, i) => one === this.#drawn[i])) return;
+    this.#drawn = wanted;
+    for (const canvas of this.querySelectorAll(where)) /** @type {Canvas} */ (canvas).redraw();
+  }
+
+  #announce() {
+    const { voice } = this;
+    const { crossing, roots } = this.#walk;
+    if (voice && crossing) this.said = voice.say('roots.said', { crossing: crossingInWords(crossing, voice), what: becomes(roots, voice) });
+  }
+
+  /** @param {readonly import('../view/root-paths.js').Root[]} roots */
+  #speak(roots) {
+    const { voice } = this;
+    if (!voice) return;
+    const spoken = { roots: pairInNumbers(roots, voice), history: this.#swing ? doubling(this.#swing.growthRate, voice) : '' };
+    if (spoken.roots !== this.spoken.roots || spoken.history !== this.spoken.history) this.spoken = spoken;
+  }
+
+  /** @type {Paint} */
+  #paintRoots = (context, size) => {
+    const { voice, theme } = this;
+    const { roots, trail, crossing } = this.#walk;
+    if (!voice || !theme) return;
+    drawRoots(context, size, {
+      roots, trail: pathsThrough(trail), crossing: crossing && { at: crossing.at, text: crossingInWords(crossing, voice) },
+      reading: pairInNumbers(roots, voice), limits: this.#limits.limits, veiled: this.isVeiled,
+    }, theme, voice);
+  };
+
+  /** @type {Paint} */
+  #paintHistory = (context, size) => {
+    const { voice, theme } = this;
+    const swing = this.#swing;
+    if (!voice || !theme || !swing) return;
+    drawLinearHistory(context, size, { ...swing, limit: historyLimit, reading: doubling(swing.growthRate, voice), veiled: this.isVeiled }, theme, voice);
+  };
+
+  /** @type {Paint} */
+  #paintLocus = (context, size) => {
+    const { voice, theme, scene } = this;
+    const { sweep, family } = this.#locus;
+    const found = scene && this.#loci.look(scene, this.#locus);
+    const [swept, other] = [this.#quantity(sweep.parameter), this.#quantity(family?.parameter ?? '')];
+    if (!voice || !theme || !found || !swept) return;
+    drawRootLocus(context, size, {
+      ways: found.ways.map(({ value, paths }) => ({ paths, label: other && value !== null ? `${plainSymbol(other)} ${other.number(value, voice)}` : '' })),
+      roots: this.#walk.roots, limits: found.limits,
+      sweep: { symbol: plainSymbol(swept), from: swept.number(sweep.from, voice), to: swept.write(sweep.to, voice) }, veiled: this.isVeiled,
+    }, theme, voice);
+  };
+}
+
+customElements.define('shimmy-stability-lens', StabilityLens);

@@ -1,0 +1,54 @@
+import { html } from 'lit';
+import { tell } from '../../command.js';
+import { nameOf } from '../../controls/quantity.js';
+import { colorings, rangeOf, readyPlanes, writePlane } from './settings.js';
+import { lowerName, plainSymbol } from './say.js';
+
+/**
+ * What one chooses of a plane: a ready one, or any two parameters, and the color.
+ *
+ * @typedef {import('../../controls/quantity.js').Quantity} Quantity
+ * @typedef {import('../../words/voice.js').Voice} Voice
+ * @typedef {import('./settings.js').Plane} Plane
+ */
+
+/**
+ * @param {HTMLElement} host that tells the choice
+ * @param {Plane} plane
+ * @param {readonly Quantity[]} quantities
+ * @param {Voice} voice
+ */
+export function planeChoices(host, plane, quantities, voice) {
+  const choose = (/** @type {Partial<Plane>} */ change) => tell(host, 'view', { of: 'plane', shows: writePlane({ ...plane, ...change }) });
+  const byName = (/** @type {string} */ name) => quantities.find((one) => one.name === name);
+  const ranged = (/** @type {Quantity} */ quantity) => rangeOf(quantity.parameter);
+  /** A side takes a parameter; where the other side has it they change places. @param {'x' | 'y'} side @param {string} name */
+  const put = (side, name) => {
+    const [quantity, other] = [byName(name), side === 'x' ? 'y' : 'x'];
+    if (!quantity) return;
+    choose(plane[/** @type {'x' | 'y'} */ (other)].parameter === name ? { x: plane.y, y: plane.x } : { [side]: ranged(quantity) });
+  };
+  const side = (/** @type {'x' | 'y'} */ which, /** @type {'stability.across' | 'stability.up'} */ word) => html`
+    <select class="framed" aria-label=${voice.say(word)} title=${voice.say(word)} .value=${plane[which].parameter}
+      @change=${(/** @type {Event} */ event) => put(which, /** @type {HTMLSelectElement} */ (event.target).value)}>
+      ${quantities.map((quantity) => html`<option value=${quantity.name} ?selected=${quantity.name === plane[which].parameter}>${plainSymbol(quantity)} ${nameOf(quantity, voice)}</option>`)}
+    </select>`;
+  return html`
+    <div class="plane-choices">
+      ${readyPlanes.map(({ x, y }) => {
+        const [across, up] = [byName(x), byName(y)];
+        if (!across || !up) return '';
+        const does = voice.say('stability.ready.does', { up: lowerName(up, voice), across: lowerName(across, voice) });
+        return html`<button type="button" class="framed ready" aria-label=${does} title=${does} aria-pressed=${plane.x.parameter === x && plane.y.parameter === y ? 'true' : 'false'}
+          @click=${() => choose({ x: ranged(across), y: ranged(up) })}>${voice.say('stability.ready', { up: plainSymbol(up), across: plainSymbol(across) })}</button>`;
+      })}
+      ${side('y', 'stability.up')}
+      <button type="button" class="framed icon swap" aria-label=${voice.say('stability.swap')} title=${voice.say('stability.swap')}
+        @click=${() => choose({ x: plane.y, y: plane.x })}>⇄</button>
+      ${side('x', 'stability.across')}
+      <select class="framed" aria-label=${voice.say('stability.color')} title=${voice.say('stability.color')} .value=${plane.coloring}
+        @change=${(/** @type {Event} */ event) => choose({ coloring: /** @type {Plane['coloring']} */ (/** @type {HTMLSelectElement} */ (event.target).value) })}>
+        ${colorings.map((coloring) => html`<option value=${coloring} ?selected=${coloring === plane.coloring}>${voice.say(`stability.color.${coloring}`)}</option>`)}
+      </select>
+    </div>`;
+}

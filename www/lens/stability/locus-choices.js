@@ -1,0 +1,66 @@
+import { html } from 'lit';
+import { tell } from '../../command.js';
+import { nameOf } from '../../controls/quantity.js';
+import { parseNumber } from '../../words/number.js';
+import { rangeOf, thesisLocus, writeLocus } from './settings.js';
+import { plainSymbol } from './say.js';
+
+/**
+ * What one chooses of a root locus: what is swept, from where to where, for one or some values of another; and figure 5.5.
+ *
+ * @typedef {import('../../controls/quantity.js').Quantity} Quantity
+ * @typedef {import('../../words/voice.js').Voice} Voice
+ * @typedef {import('./settings.js').Locus} Locus
+ */
+
+/** So many loci where one asks for some. */
+const some = 6;
+
+/**
+ * @param {HTMLElement} host that tells the choice
+ * @param {Locus} locus
+ * @param {readonly Quantity[]} quantities
+ * @param {Voice} voice
+ */
+export function locusChoices(host, locus, quantities, voice) {
+  const { sweep, family } = locus;
+  const say = (/** @type {string} */ shows) => tell(host, 'view', { of: 'locus', shows });
+  const choose = (/** @type {Partial<Locus>} */ change) => say(writeLocus({ ...locus, ...change }));
+  const byName = (/** @type {string} */ name) => quantities.find((one) => one.name === name);
+  const swept = byName(sweep.parameter);
+  const chosen = (/** @type {Event} */ event) => byName(/** @type {HTMLSelectElement} */ (event.target).value);
+  const option = (/** @type {Quantity} */ quantity, /** @type {string | undefined} */ selected) =>
+    html`<option value=${quantity.name} ?selected=${quantity.name === selected}>${plainSymbol(quantity)} ${nameOf(quantity, voice)}</option>`;
+  /** What was swept is no family of itself. @param {Event} event */
+  const sweepOther = (event) => {
+    const quantity = chosen(event);
+    if (quantity) choose({ sweep: rangeOf(quantity.parameter), family: family?.parameter === quantity.name ? null : family });
+  };
+  /** An end that is no number, or beyond the other, is put back. @param {'from' | 'to'} end */
+  const field = (end) => html`
+    <input type="text" inputmode="decimal" class="number" aria-label=${voice.say(`locus.${end}`)} title=${voice.say(`locus.${end}`)} .value=${swept ? swept.number(sweep[end], voice) : ''}
+      @change=${(/** @type {Event} */ event) => {
+        const input = /** @type {HTMLInputElement} */ (event.target);
+        const value = swept?.toSI(parseNumber(input.value)) ?? NaN;
+        const next = { ...sweep, [end]: value };
+        if (next.from < next.to) choose({ sweep: next });
+        else input.value = swept?.number(sweep[end], voice) ?? '';
+      }} />`;
+  return html`
+    <div class="plane-choices">
+      <button type="button" class="framed" title=${voice.say('locus.thesis.does')} aria-pressed=${writeLocus(locus) === thesisLocus ? 'true' : 'false'}
+        ?disabled=${!byName('velocity') || !byName('casterLength')} @click=${() => say(thesisLocus)}>${voice.say('locus.thesis')}</button>
+      <select class="framed" aria-label=${voice.say('locus.sweep')} title=${voice.say('locus.sweep')} .value=${sweep.parameter} @change=${sweepOther}>
+        ${quantities.map((quantity) => option(quantity, sweep.parameter))}
+      </select>
+      <span class="range">${field('from')} … ${field('to')} <span class="unit">${swept?.unit}</span></span>
+      <select class="framed" aria-label=${voice.say('locus.family')} title=${voice.say('locus.family')} .value=${family?.parameter ?? ''}
+        @change=${(/** @type {Event} */ event) => {
+          const quantity = chosen(event);
+          choose({ family: quantity ? { ...rangeOf(quantity.parameter), count: some } : null });
+        }}>
+        <option value="" ?selected=${!family}>${voice.say('locus.single')}</option>
+        ${quantities.filter(({ name }) => name !== sweep.parameter).map((quantity) => option(quantity, family?.parameter))}
+      </select>
+    </div>`;
+}

@@ -1,0 +1,85 @@
+/**
+ * The roots as values change: where they are, the way that they have come since the hand began, and where a pair crossed the
+ * axis on it.
+ *
+ * @typedef {import('../../run/linear-looks.js').LinearLooks} LinearLooks
+ * @typedef {import('../../view/root-paths.js').Root} Root
+ * @typedef {{ at: Root, kind: 'hopf' | 'divergence', isStable: boolean }} Crossing `isStable`: whether it led to where a swing falls
+ */
+
+import { isSameRecord } from '../../store.js';
+
+/** A rest longer than this ends a walk: the next change begins another, in s. */
+const rest = 1;
+const longestTrail = 240;
+/** A crossing is found to this share of the way. */
+const halvings = 40;
+/** A root this near to the axis, measured by its distance from 0, is on it. */
+const onAxis = 1e-6;
+
+export class RootsWalk {
+  /** @type {{ object: string, values: Readonly<Record<string, number>> } | null} */ #gear = null;
+  #changedAt = -Infinity;
+  /** @type {readonly Root[]} */ roots = [];
+  /** Sets of roots, the oldest first. @type {(readonly Root[])[]} */ trail = [];
+  /** The last crossing of this walk. @type {Crossing | null} */ crossing = null;
+
+  /**
+   * Takes the values as they are now.
+   * @param {{ object: string, parameters: Readonly<Record<string, number>>, linear: LinearLooks }} gear
+   * @param {number} now in s
+   * @returns {'same' | 'changed' | 'crossed'}
+   */
+  follow({ object, parameters, linear }, now) {
+    const last = this.#gear;
+    if (last && last.object === object && isSameRecord(last.values, parameters)) return 'same';
+    const before = this.roots;
+    this.#gear = { object, values: { ...parameters } };
+    try {
+      this.roots = linear.eigenvalues();
+    } catch {
+      Object.assign(this, { roots: [], trail: [], crossing: null });
+      return 'changed';
+    }
+    if (last?.object !== object || before.length !== this.roots.length) {
+      this.trail = [this.roots];
+      this.crossing = null;
+      return 'changed';
+    }
+    if (now - this.#changedAt > rest) {
+      this.trail = [before];
+      this.crossing = null;
+    }
+    this.#changedAt = now;
+    this.trail.push(this.roots);
+    if (this.trail.length > longestTrail) this.trail.shift();
+    if (isStable(before) === isStable(this.roots)) return 'changed';
+    this.crossing = crossingBetween(linear.eigenvalues, last.values, parameters);
+    return this.crossing ? 'crossed' : 'changed';
+  }
+}
+
+/** @param {readonly Root[]} roots by falling real part */
+export const isStable = (roots) => roots.length > 0 && roots[0].re < 0;
+
+/**
+ * Where on the straight way between two sets of values a root crosses the axis; null where stability changes by a leap, as
+ * when a gap opens.
+ * @param {(values: Record<string, number>) => readonly Root[]} eigenvalues
+ * @param {Readonly<Record<string, number>>} from
+ * @param {Readonly<Record<string, number>>} to
+ * @returns {Crossing | null}
+ */
+export function crossingBetween(eigenvalues, from, to) {
+  const at = (/** @type {number} */ share) => eigenvalues(Object.fromEntries(Object.entries(to).map(([name, value]) => [name, from[name] + share * (value - from[name])])));
+  const wasStable = isStable(at(0));
+  let [before, after] = [0, 1];
+  for (let i = 0; i < halvings; i++) {
+    const middle = (before + after) / 2;
+    if (isStable(at(middle)) === wasStable) before = middle;
+    else after = middle;
+  }
+  const [root] = at(after);
+  if (Math.abs(root.re) > onAxis * Math.max(1, Math.hypot(root.re, root.im))) return null;
+  return { at: root, kind: root.im !== 0 ? 'hopf' : 'divergence', isStable: !wasStable };
+}

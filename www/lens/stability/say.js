@@ -1,0 +1,72 @@
+/**
+ * What linear theory says, in words.
+ *
+ * @typedef {import('../../controls/quantity.js').Quantity} Quantity
+ * @typedef {import('../../run/linear-looks.js').Range} Range
+ * @typedef {import('../../view/root-paths.js').Root} Root
+ * @typedef {import('../../words/voice.js').Voice} Voice
+ */
+
+import { nameOf, withUnit } from '../../controls/quantity.js';
+import { decimalsFor, decimalsOf } from '../../words/number.js';
+
+const circle = 2 * Math.PI;
+
+/** The pair that swings and leads the others that do; undefined where none does. @param {readonly Root[]} roots by falling real part */
+export const pairOf = (roots) => roots.find(({ im }) => im > 0);
+
+/** The rate of growth without its sign: `12.3`. @param {number} rate @param {Voice} voice */
+export function rateOf(rate, voice) {
+  return voice.number(Math.abs(rate), Math.min(3, decimalsFor(rate, 3)));
+}
+
+/**
+ * What becomes of a small swing: `grows 12.3 s⁻¹, 52.1 Hz`.
+ * @param {readonly Root[]} roots by falling real part
+ * @param {Voice} voice
+ */
+export function becomes(roots, voice) {
+  const [leading] = roots;
+  if (!leading) return voice.say('stability.none');
+  const rate = rateOf(leading.re, voice);
+  if (leading.im === 0) return voice.say(leading.re > 0 ? 'stability.aside' : 'stability.creeps', { rate });
+  return voice.say(leading.re > 0 ? 'stability.grows' : 'stability.falls', { rate, frequency: voice.number(leading.im / circle, 1) });
+}
+
+/** The pair in numbers: `52.1 Hz · +12.3 s⁻¹ · ζ −0.038`. @param {readonly Root[]} roots @param {Voice} voice */
+export function pairInNumbers(roots, voice) {
+  const pair = pairOf(roots);
+  const signed = (/** @type {number} */ rate) => (rate > 0 ? '+' : rate < 0 ? '−' : '') + rateOf(rate, voice);
+  if (!pair) return roots.length > 0 ? voice.say('roots.real', { rate: signed(roots[0].re) }) : '';
+  const ratio = -pair.re / Math.hypot(pair.re, pair.im);
+  return voice.say('roots.pair', { frequency: voice.number(pair.im / circle, 1), rate: signed(pair.re), ratio: voice.number(ratio, 3) });
+}
+
+/** A crossing: `Hopf, 50.1 Hz`. @param {import('./roots-walk.js').Crossing} crossing @param {Voice} voice */
+export function crossingInWords({ kind, at }, voice) {
+  return kind === 'hopf' ? voice.say('roots.hopf', { frequency: voice.number(at.im / circle, 1) }) : voice.say('roots.divergence');
+}
+
+/** How long a swing takes to double or to halve. @param {number} growthRate @param {Voice} voice */
+export function doubling(growthRate, voice) {
+  const time = (Math.LN2 / Math.abs(growthRate)) * 1000;
+  if (!(time < 1e5)) return voice.say('history.lasts');
+  return voice.say(growthRate > 0 ? 'history.doubles' : 'history.halves', { time: voice.number(time, decimalsFor(time, 2)) });
+}
+
+/** A symbol with a value and its unit: `v 80.0 m/s`. @param {Quantity} quantity @param {number} value @param {Voice} voice */
+export function valueInWords(quantity, value, voice) {
+  return `${plainSymbol(quantity)} ${quantity.write(value, voice)}`;
+}
+
+/** A range: `v 0.5 … 100 m/s`. @param {Quantity} quantity @param {Range} range @param {Voice} voice */
+export function rangeInWords(quantity, { from, to }, voice) {
+  const number = (/** @type {number} */ value) => voice.number(quantity.toShown(value), Math.min(4, decimalsOf(quantity.toShown(value), 0)));
+  return voice.say('stability.range', { symbol: plainSymbol(quantity), from: number(from), to: withUnit(number(to), quantity.unit) });
+}
+
+/** A symbol as plain text: `I_z` is `Iz`. @param {Quantity} quantity */
+export const plainSymbol = (quantity) => quantity.parameter.symbol.replace('_', '');
+
+/** A parameter's name within a sentence. @param {Quantity} quantity @param {Voice} voice */
+export const lowerName = (quantity, voice) => nameOf(quantity, voice).toLocaleLowerCase(voice.language);

@@ -1,0 +1,43 @@
+/**
+ * A small swing as linear theory has it, with the envelope that the leading root foretells.
+ *
+ * @typedef {import('../../run/linear-looks.js').LinearLooks} LinearLooks
+ * @typedef {import('../../view/root-paths.js').Root} Root
+ */
+
+/** How long it is watched, in s: the first of these that holds some cycles. */
+const durations = [0.05, 0.1, 0.2, 0.5, 1, 2, 5];
+const leastCycles = 8;
+const samplesPerCycle = 40;
+const mostSamples = 1200;
+/** What of it tells the amplitude: after the start, when only the leading root is left. */
+const [settledFrom, settledTo] = [0.3, 0.6];
+const circle = 2 * Math.PI;
+
+/**
+ * @param {LinearLooks} linear
+ * @param {readonly Root[]} roots by falling real part
+ */
+export function smallSwing(linear, roots) {
+  const [{ re: growthRate }] = roots;
+  const beat = Math.max(...roots.map(({ im }) => im)) / circle;
+  const wanted = beat > 0 ? leastCycles / beat : 3 / Math.abs(growthRate || 1);
+  const duration = durations.find((one) => one >= wanted) ?? durations[durations.length - 1];
+  const samples = Math.min(mostSamples, Math.max(200, Math.ceil(duration * beat * samplesPerCycle)));
+  const { time, angle } = linear.smallSwing(duration, samples);
+  return { time, angle, growthRate, amplitude: amplitudeOf(time, angle, growthRate), duration };
+}
+
+/**
+ * How high an envelope e^(σt) must begin to touch the swing once that has settled into it.
+ * @param {ArrayLike<number>} time from 0
+ * @param {ArrayLike<number>} angle
+ * @param {number} growthRate σ
+ */
+export function amplitudeOf(time, angle, growthRate) {
+  let most = 0;
+  const last = time.length - 1;
+  for (let i = Math.ceil(settledFrom * last); i <= settledTo * last; i++)
+    most = Math.max(most, Math.abs(angle[i]) * Math.exp(-growthRate * time[i]));
+  return most;
+}
