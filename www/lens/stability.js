@@ -1,4 +1,5 @@
 import { html } from 'lit';
+import { withUnit } from '../controls/quantity.js';
 import '../view/canvas.js';
 import { drawLinearHistory } from '../view/linear-history.js';
 import { pathsThrough } from '../view/root-paths.js';
@@ -12,7 +13,7 @@ import './stability/plane.js';
 import { PlaneMap } from './stability/plane-map.js';
 import { RootsLimits } from './stability/roots-limits.js';
 import { RootsWalk } from './stability/roots-walk.js';
-import { becomes, crossingInWords, doubling, lowerName, pairInNumbers, plainSymbol, rangeInWords } from './stability/say.js';
+import { becomesInTheory, crossingInWords, doubling, lowerName, pairInNumbers, pairReadings, plainSymbol, rangeInWords, shortNumber } from './stability/say.js';
 import { locusOf, planeOf } from './stability/settings.js';
 import { smallSwing } from './stability/small-swing.js';
 
@@ -60,12 +61,16 @@ export class StabilityLens extends PlotLens {
   }
 
   get views() {
-    return ['plane', 'locus'];
+    return ['plane', 'roots', 'locus'];
   }
 
   /** @param {string} name @param {Voice} voice */
   nameOfView(name, voice) {
     return voice.say(/** @type {import('../words/voice.js').Key} */ (`stability.view.${name}`));
+  }
+
+  get #isGapped() {
+    return this.scene?.linear.isGapped ?? false;
   }
 
   get #parameters() {
@@ -87,11 +92,11 @@ export class StabilityLens extends PlotLens {
 
   /** @param {Voice} voice */
   line(voice) {
-    const isGapped = this.scene?.linear.isGapped ?? false;
+    if (this.view === 'roots') return html`<p>${this.#isGapped ? voice.say('roots.line.gap') : voice.say('roots.line')}</p>`;
     if (this.view === 'locus') {
       const swept = this.#quantity(this.#locus.sweep.parameter);
       const line = swept ? voice.say('locus.line', { sweep: lowerName(swept, voice) }) : '';
-      return html`<p>${isGapped ? voice.say('locus.line.gap', { line }) : line}</p>`;
+      return html`<p>${this.#isGapped ? voice.say('locus.line.gap', { line }) : line}</p>`;
     }
     return html`<p class="share">${this.isVeiled ? '' : this.#shareInWords(voice)}</p>`;
   }
@@ -102,7 +107,7 @@ export class StabilityLens extends PlotLens {
     const [across, up] = [this.#quantity(x.parameter), this.#quantity(y.parameter)];
     if (this.share === null || !across || !up) return voice.say('stability.none');
     const share = voice.say('stability.share', { share: voice.number(this.share, 1), x: rangeInWords(across, x, voice), y: rangeInWords(up, y, voice) });
-    return this.scene?.linear.isGapped ? voice.say('stability.share.gap', { share }) : share;
+    return this.#isGapped ? voice.say('stability.share.gap', { share }) : share;
   }
 
   /** @param {Voice} voice */
@@ -120,9 +125,10 @@ export class StabilityLens extends PlotLens {
     const rootsLabel = this.isVeiled ? voice.say('roots.name.veiled') : voice.say('roots.name', { reading: roots });
     const historyLabel = this.isVeiled ? voice.say('history.name.veiled') : voice.say('history.name', { duration, reading: history });
     return html`
-      <div class="stability" data-view="plane">
-        ${planeChoices(this, this.#plane, this.quantities, voice)}
-        <shimmy-plane .voice=${voice} .quantities=${this.quantities} .plane=${this.#plane} .isVeiled=${this.isVeiled} .label=${this.#planeLabel(voice)}></shimmy-plane>
+      <div class="stability" data-view=${this.view}>
+        ${this.view === 'plane' ? html`
+          ${planeChoices(this, this.#plane, this.quantities, voice)}
+          <shimmy-plane .voice=${voice} .quantities=${this.quantities} .plane=${this.#plane} .isVeiled=${this.isVeiled} .label=${this.#planeLabel(voice)}></shimmy-plane>` : ''}
         <div class="roots"><shimmy-canvas .label=${rootsLabel} .paint=${this.#paintRoots}></shimmy-canvas></div>
         <div class="history"><shimmy-canvas .label=${historyLabel} .paint=${this.#paintHistory}></shimmy-canvas></div>
         <p class="only-heard" role="status">${this.isVeiled ? '' : this.said}</p>
@@ -165,7 +171,8 @@ export class StabilityLens extends PlotLens {
     this.#drawPlane(scene, theme);
     if (followed !== 'same' || !this.#swing) this.#swing = this.#swingOf(scene);
     const { roots } = this.#walk;
-    this.#limits.hold(roots, scene.scales);
+    // Axes that follow what is veiled would tell of it.
+    if (!this.isVeiled) this.#limits.hold(roots, scene.scales);
     this.#redrawWhere([roots, this.#swing, this.#limits.limits, theme, this.isVeiled, this.voice], '.roots shimmy-canvas, .history shimmy-canvas');
     this.#speak(roots);
   }
@@ -214,15 +221,21 @@ export class StabilityLens extends PlotLens {
   #announce() {
     const { voice } = this;
     const { crossing, roots } = this.#walk;
-    if (voice && crossing) this.said = voice.say('roots.said', { crossing: crossingInWords(crossing, voice), what: becomes(roots, voice) });
+    if (voice && crossing) this.said = voice.say('roots.said', { crossing: crossingInWords(crossing, voice), what: becomesInTheory(roots, this.#isGapped, voice) });
   }
 
   /** @param {readonly import('../view/root-paths.js').Root[]} roots */
   #speak(roots) {
     const { voice } = this;
     if (!voice) return;
-    const spoken = { roots: pairInNumbers(roots, voice), history: this.#swing ? doubling(this.#swing.growthRate, voice) : '' };
+    const spoken = { roots: pairInNumbers(roots, voice), history: this.#swing ? this.#doublings(this.#swing, voice)[0] : '' };
     if (spoken.roots !== this.spoken.roots || spoken.history !== this.spoken.history) this.spoken = spoken;
+  }
+
+  /** How long the swing takes to double or to halve, in fewer and fewer words. @param {{ growthRate: number }} swing @param {Voice} voice */
+  #doublings({ growthRate }, voice) {
+    const what = doubling(growthRate, voice);
+    return this.#isGapped ? [voice.say('stability.linear', { what }), what] : [what];
   }
 
   /** @type {Paint} */
@@ -232,7 +245,7 @@ export class StabilityLens extends PlotLens {
     if (!voice || !theme) return;
     drawRoots(context, size, {
       roots, trail: pathsThrough(trail), crossing: crossing && { at: crossing.at, text: crossingInWords(crossing, voice) },
-      reading: pairInNumbers(roots, voice), limits: this.#limits.limits, veiled: this.isVeiled,
+      readings: pairReadings(roots, voice), limits: this.#limits.limits, veiled: this.isVeiled,
     }, theme, voice);
   };
 
@@ -241,7 +254,7 @@ export class StabilityLens extends PlotLens {
     const { voice, theme } = this;
     const swing = this.#swing;
     if (!voice || !theme || !swing) return;
-    drawLinearHistory(context, size, { ...swing, limit: historyLimit, reading: doubling(swing.growthRate, voice), veiled: this.isVeiled }, theme, voice);
+    drawLinearHistory(context, size, { ...swing, limit: historyLimit, readings: this.#doublings(swing, voice), veiled: this.isVeiled }, theme, voice);
   };
 
   /** @type {Paint} */
@@ -252,9 +265,12 @@ export class StabilityLens extends PlotLens {
     const [swept, other] = [this.#quantity(sweep.parameter), this.#quantity(family?.parameter ?? '')];
     if (!voice || !theme || !found || !swept) return;
     drawRootLocus(context, size, {
-      ways: found.ways.map(({ value, paths }) => ({ paths, label: other && value !== null ? `${plainSymbol(other)} ${other.number(value, voice)}` : '' })),
+      ways: found.ways.map(({ value, at, paths }) => ({
+        paths, shares: at.map((swept) => (swept - sweep.from) / (sweep.to - sweep.from)),
+        label: other && value !== null ? `${plainSymbol(other)} ${shortNumber(other, value, voice)}` : '',
+      })),
       roots: this.#walk.roots, limits: found.limits,
-      sweep: { symbol: plainSymbol(swept), from: swept.number(sweep.from, voice), to: swept.write(sweep.to, voice) }, veiled: this.isVeiled,
+      sweep: { symbol: plainSymbol(swept), from: shortNumber(swept, sweep.from, voice), to: withUnit(shortNumber(swept, sweep.to, voice), swept.unit) }, veiled: this.isVeiled,
     }, theme, voice);
   };
 }

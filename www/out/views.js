@@ -23,8 +23,9 @@ export function chosenView(name, state) {
 /** @param {Looked['views']} views @returns {Shown[]} */
 function stabilityViews({ stability }) {
   if (stability === 'locus') return [{ name: 'locus', element: '#lens-panel shimmy-canvas', title: titled('stability.view.locus') }];
+  const plane = { name: 'plane', element: '#lens-panel shimmy-plane shimmy-canvas', title: titled('stability.title') };
   return [
-    { name: 'plane', element: '#lens-panel shimmy-plane shimmy-canvas', title: titled('stability.view.plane') },
+    ...(stability === 'roots' ? [] : [plane]),
     { name: 'roots', element: '#lens-panel .roots shimmy-canvas', title: titled('roots.title') },
     { name: 'history', element: '#lens-panel .history shimmy-canvas', title: titled('history.title') },
   ];

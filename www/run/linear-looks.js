@@ -11,8 +11,8 @@
  * @typedef {ReturnType<typeof linearLooks>} LinearLooks
  */
 
-/** A swing so small that neither tire nor gap can limit it, in rad: it goes as linear theory says. */
-const tiny = 1e-7;
+/** A swing so small that neither tire nor gap can limit it, however long it grows here, in rad: it goes as linear theory says. */
+const tiny = 1e-12;
 
 /**
  * @param {Engine} engine

@@ -14,11 +14,14 @@ import { drawVeil } from './veil.js';
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {{
  *   time: ArrayLike<number>, angle: ArrayLike<number>, growthRate: number, amplitude: number, duration: number, limit: number,
- *   reading: string, veiled?: boolean,
- * }} Shown `amplitude`: of the envelope at the start; `limit`: ± of the axis
+ *   readings: readonly string[], veiled?: boolean,
+ * }} Shown `amplitude`: of the envelope at the start; `limit`: ± of the axis;
+ *   `readings`: of the envelope, in fewer and fewer words
  */
 
 const envelopePoints = 60;
+/** A swing is drawn until its envelope is so many times as high as the picture. */
+const cut = 1.5;
 
 /**
  * @param {CanvasRenderingContext2D} context
@@ -27,7 +30,7 @@ const envelopePoints = 60;
  * @param {Theme} theme
  * @param {Voice} voice
  */
-export function drawLinearHistory(context, size, { time, angle, growthRate, amplitude, duration, limit, reading, veiled = false }, theme, voice) {
+export function drawLinearHistory(context, size, { time, angle, growthRate, amplitude, duration, limit, readings, veiled = false }, theme, voice) {
   const frame = frameOf(size, theme, 'above');
   const [width, height] = [frame.right - frame.left, frame.bottom - frame.top];
   if (width < 20 || height < 20) return;
@@ -55,7 +58,10 @@ export function drawLinearHistory(context, size, { time, angle, growthRate, ampl
   context.strokeStyle = theme.psi;
   context.lineWidth = 1.6 * theme.line;
   context.lineJoin = 'round';
-  strokeCurve(context, curveOf(time, angle, x.at, y.at));
+  // What has left the picture would fill it with upright lines.
+  const end = Array.from(time).findIndex((t) => amplitude * Math.exp(growthRate * t) > cut * limit);
+  const curve = curveOf(time, angle, x.at, y.at);
+  strokeCurve(context, end < 0 ? curve : { ...curve, count: end + 1 });
   context.restore();
-  writeCornerReading(context, reading, frame, width - widthOfLabel(context, y.name(false), theme, 600) - theme.size, theme);
+  writeCornerReading(context, readings, frame, width - widthOfLabel(context, y.name(false), theme, 600) - theme.size, theme);
 }

@@ -9,10 +9,12 @@ import { drawVeil } from './veil.js';
  *
  * @typedef {import('./complex-plane.js').Limits} Limits
  * @typedef {import('./complex-plane.js').Places} Places
+ * @typedef {import('./map-colors.js').Color} Color
  * @typedef {import('./root-paths.js').Root} Root
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../words/voice.js').Voice} Voice
- * @typedef {{ label: string, paths: readonly (readonly Root[])[] }} Way `label`: which value of the other it is for, '' for none
+ * @typedef {{ label: string, shares: readonly number[], paths: readonly (readonly Root[])[] }} Way `label`: which value of the
+ *   other it is for, '' for none; `shares`: how far the sweep is at each root of a path, 0 … 1
  * @typedef {{
  *   ways: readonly Way[], roots: readonly Root[], limits: Limits, sweep: { symbol: string, from: string, to: string }, veiled?: boolean,
  * }} Shown `roots`: of the gear as it is; `sweep`: what the colors mean
@@ -39,55 +41,74 @@ export function drawRootLocus(context, size, { ways, roots, limits, sweep, veile
   context.beginPath();
   context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top + 4);
   context.clip();
-  for (const { paths } of ways) for (const path of paths) drawWay(context, path, places, colorOf, theme);
+  for (const { paths, shares } of ways) for (const path of paths) drawPath(context, path, shares, places, colorOf, theme);
   for (const { re, im } of roots) if (im >= 0) drawCross(context, x(re), y(im), re > 0 ? theme.unstable : theme.stable, theme);
-  for (const way of ways) nameWay(context, way, places, theme);
+  nameWays(context, ways, places, theme);
   context.restore();
   drawLegend(context, frame, sweep, colorOf, theme);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {readonly Root[]} path @param {Places} places @param {(share: number) => [number, number, number]} colorOf @param {Theme} theme */
-function drawWay(context, path, { x, y }, colorOf, theme) {
-  const last = path.length - 1;
+/** @param {CanvasRenderingContext2D} context @param {readonly Root[]} path @param {readonly number[]} shares @param {Places} places @param {(share: number) => Color} colorOf @param {Theme} theme */
+function drawPath(context, path, shares, { x, y }, colorOf, theme) {
   context.lineWidth = 2.2 * theme.line;
   context.lineCap = 'round';
-  for (let piece = 0; piece < pieces; piece++) {
-    const [from, to] = [Math.round((piece / pieces) * last), Math.round(((piece + 1) / pieces) * last)];
-    context.strokeStyle = written(colorOf(Math.max((piece + 0.5) / pieces, 1e-3)));
+  for (let from = 0; from < path.length - 1;) {
+    const piece = pieceOf(shares[from]);
+    context.strokeStyle = pieceColor(piece, colorOf);
     context.beginPath();
     context.moveTo(x(path[from].re), y(path[from].im));
-    for (let i = from + 1; i <= to; i++) context.lineTo(x(path[i].re), y(path[i].im));
+    do {
+      from++;
+      context.lineTo(x(path[from].re), y(path[from].im));
+    } while (from < path.length - 1 && pieceOf(shares[from]) === piece);
     context.stroke();
   }
   context.lineCap = 'butt';
 }
 
-/** At the end of the way that swings fastest and is in the picture. @param {CanvasRenderingContext2D} context @param {Way} way @param {Places} places @param {Theme} theme */
-function nameWay(context, { label, paths }, { frame, x, y }, theme) {
-  const seen = paths.map((path) => path.findLast(({ re, im }) => im > 0 && x(re) > frame.left && x(re) < frame.right && y(im) > frame.top))
-    .filter((root) => root !== undefined);
-  const end = seen.reduce((most, root) => (root.im > (most?.im ?? 0) ? root : most), seen[0]);
-  if (!label || !end) return;
+/** @param {number} share */
+const pieceOf = (share) => Math.min(Math.floor(share * pieces), pieces - 1);
+
+/** @param {number} piece @param {(share: number) => Color} colorOf */
+const pieceColor = (piece, colorOf) => written(colorOf((piece + 0.5) / pieces));
+
+/**
+ * Names at the ends of the ways, of each at the root that swings fastest and is in the picture; none over another.
+ * @param {CanvasRenderingContext2D} context @param {readonly Way[]} ways @param {Places} places @param {Theme} theme
+ */
+function nameWays(context, ways, { frame, x, y }, theme) {
   context.font = textFont(theme, 0.9, 600);
-  context.textAlign = x(end.re) > frame.right - 6 * theme.size ? 'right' : 'left';
   context.textBaseline = 'middle';
   context.lineJoin = 'round';
   context.lineWidth = 4;
-  context.strokeStyle = theme.surface;
-  const across = x(end.re) + (context.textAlign === 'left' ? 6 : -6);
-  context.strokeText(label, across, y(end.im));
-  context.fillStyle = theme.ink;
-  context.fillText(label, across, y(end.im));
+  const ends = ways.flatMap(({ label, paths }) => {
+    const seen = paths.map((path) => path.findLast(({ re, im }) => im > 0 && x(re) > frame.left && x(re) < frame.right && y(im) > frame.top))
+      .filter((root) => root !== undefined);
+    const end = seen.reduce((most, root) => (root.im > (most?.im ?? 0) ? root : most), seen[0]);
+    return label && end ? [{ label, x: x(end.re), y: y(end.im) }] : [];
+  }).sort((one, other) => one.y - other.y);
+  let lowest = -Infinity;
+  for (const { label, x: across, y: up } of ends) {
+    const isRight = across < frame.right - context.measureText(label).width - theme.size;
+    const middle = Math.max(up, lowest + 1.25 * theme.size);
+    lowest = middle;
+    context.textAlign = isRight ? 'left' : 'right';
+    const at = across + (isRight ? 0.7 : -0.7) * theme.size;
+    context.strokeStyle = theme.surface;
+    context.strokeText(label, at, middle);
+    context.fillStyle = theme.ink;
+    context.fillText(label, at, middle);
+  }
 }
 
-/** What the colors mean, in the fixed corner. @param {CanvasRenderingContext2D} context @param {import('./axes.js').Box} frame @param {Shown['sweep']} sweep @param {(share: number) => [number, number, number]} colorOf @param {Theme} theme */
+/** What the colors mean, in the fixed corner. @param {CanvasRenderingContext2D} context @param {import('./axes.js').Box} frame @param {Shown['sweep']} sweep @param {(share: number) => Color} colorOf @param {Theme} theme */
 function drawLegend(context, frame, { symbol, from, to }, colorOf, theme) {
   const { size } = theme;
   const [width, middle] = [6 * size, frame.top - 1.1 * size];
   context.font = textFont(theme, 1);
   const end = frame.right - context.measureText(to).width - 0.5 * size;
   for (let i = 0; i < pieces; i++) {
-    context.fillStyle = written(colorOf(Math.max((i + 0.5) / pieces, 1e-3)));
+    context.fillStyle = pieceColor(i, colorOf);
     context.fillRect(end - width + (i / pieces) * width, middle - 0.4 * size, width / pieces + (i < pieces - 1 ? 0.5 : 0), 0.8 * size);
   }
   context.fillStyle = theme.ink2;

@@ -14,8 +14,8 @@ import { drawVeil } from './veil.js';
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {{
  *   roots: readonly Root[], trail: readonly (readonly Root[])[], crossing: { at: Root, text: string } | null,
- *   reading: string, limits: Limits, veiled?: boolean,
- * }} Shown `trail`: each root's way, the oldest first; `reading`: of the pair, in a fixed corner
+ *   readings: readonly string[], limits: Limits, veiled?: boolean,
+ * }} Shown `trail`: each root's way, the oldest first; `readings`: of the pair, in fewer and fewer words
  */
 
 /** Half of a cross, in px. */
@@ -28,7 +28,7 @@ const arm = 5;
  * @param {Theme} theme
  * @param {Voice} voice
  */
-export function drawRoots(context, size, { roots, trail, crossing, reading, limits, veiled = false }, theme, voice) {
+export function drawRoots(context, size, { roots, trail, crossing, readings, limits, veiled = false }, theme, voice) {
   const places = drawComplexPlane(context, size, limits, theme, voice, { veiled });
   const { frame, x, y } = places;
   if (veiled) {
@@ -48,7 +48,7 @@ export function drawRoots(context, size, { roots, trail, crossing, reading, limi
     else drawCross(context, x(root.re), y(root.im), root.re > 0 ? theme.unstable : theme.stable, theme);
   }
   const name = widthOfLabel(context, [{ text: 'Im ' }, { symbol: 's' }, { text: ', rad/s' }], theme, 600);
-  writeCornerReading(context, reading, frame, frame.right - frame.left - name - theme.size, theme);
+  writeCornerReading(context, readings, frame, frame.right - frame.left - name - theme.size, theme);
 }
 
 /** A cross, as poles are drawn. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {string} color @param {Theme} theme */

@@ -1,6 +1,6 @@
 import { drawAxes, frameOf } from './axes.js';
 import { drawBoundary } from './boundary.js';
-import { widthOfCornerReading, writeCornerReading } from './corner-reading.js';
+import { writeCornerReading } from './corner-reading.js';
 import { linear } from './scale.js';
 import { drawMapLegend } from './map-legend.js';
 import { drawHatch, drawIsoLines, drawRegionWords } from './map-sheet.js';
@@ -22,10 +22,13 @@ import { drawWorkingPoint } from './working-point.js';
  * @typedef {Range & { quantity: Quantity }} Side
  * @typedef {{
  *   x: Side, y: Side, image: CanvasImageSource | null, sheet: MapSheet | null, boundary: readonly import('../run/linear-looks.js').BoundaryCurve[],
- *   coloring: import('./map-colors.js').Coloring, limits: import('./map-colors.js').Limits, point: { x: number, y: number }, reading: string, veiled?: boolean,
- * }} Shown `image`: the map's colors, a pixel a cell; `point`: the gear's values; `reading`: what is read off, in a fixed corner;
+ *   coloring: import('./map-colors.js').Coloring, limits: import('./map-colors.js').Limits, point: { x: number, y: number }, readings: readonly string[], veiled?: boolean,
+ * }} Shown `image`: the map's colors, a pixel a cell; `point`: the gear's values; `readings`: what is read off, in fewer and fewer words;
  *   `veiled`: nothing of what is stable is to be seen yet
  */
+
+/** Narrower than this, in widths of small type, an axis is called by its symbol alone. */
+const narrow = 34;
 
 /**
  * Where the map goes in its picture.
@@ -69,10 +72,9 @@ export function drawStabilityMap(context, size, shown, theme, voice) {
   if (!veiled && image) context.drawImage(image, frame.left, frame.top, width, height);
   if (!veiled && sheet) drawHatch(context, sheet.hatch, theme);
   // The corner above the right end is for what is read off.
-  const named = y.name(false);
-  const room = width - widthOfCornerReading(context, shown.reading, theme) - theme.size;
+  const isNarrow = width < narrow * theme.size;
   drawAxes(context, frame, { ...x, name: () => x.name(widthOfLabel(context, x.name(false), theme, 600) > 0.5 * width) },
-    { ...y, name: () => (widthOfLabel(context, named, theme, 600) > room ? y.name(true) : named) }, theme, { up: 'above' });
+    { ...y, name: () => y.name(isNarrow) }, theme, { up: 'above' });
   if (veiled) drawVeil(context, frame, theme);
   else {
     context.save();
@@ -87,5 +89,5 @@ export function drawStabilityMap(context, size, shown, theme, voice) {
     drawMapLegend(context, { left: frame.left, right: frame.right - nameWidth - theme.size, middle: frame.bottom + theme.size * 2.35 }, shown, theme, voice);
   }
   drawWorkingPoint(context, frame, { x: place.x(point.x), y: place.y(point.y) }, theme);
-  writeCornerReading(context, shown.reading, frame, width - widthOfLabel(context, y.name(true), theme, 600) - theme.size, theme);
+  writeCornerReading(context, shown.readings, frame, width - widthOfLabel(context, y.name(isNarrow), theme, 600) - theme.size, theme);
 }

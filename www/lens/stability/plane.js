@@ -4,7 +4,7 @@ import '../../view/canvas.js';
 import { sheetOf } from '../../view/map-sheet.js';
 import { drawStabilityMap, frameOfMap, placesOfMap } from '../../view/stability-map.js';
 import { paintMapImage } from './map-image.js';
-import { becomes, lowerName, plainSymbol, valueInWords } from './say.js';
+import { becomesInTheory, lowerName, plainSymbol, valueInWords } from './say.js';
 
 /**
  * @typedef {import('../../controls/quantity.js').Quantity} Quantity
@@ -120,7 +120,7 @@ export class PlaneView extends LitElement {
       left: `${Math.min(Math.max(places.x(point.x), frame.left), frame.right).toFixed(1)}px`,
       top: `${Math.min(Math.max(places.y(point.y), frame.top), frame.bottom).toFixed(1)}px`,
     });
-    this.spoken = this.#reading(point, true);
+    this.spoken = this.#readings(point, true)[0];
   }
 
   /** The gear's values. */
@@ -144,7 +144,7 @@ export class PlaneView extends LitElement {
     drawStabilityMap(context, size, {
       ...sides, image: looked ? this.#image : null, sheet: looked ? this.#sheet : null, boundary: looked?.boundary ?? [],
       coloring: plane.coloring, limits: looked?.limits ?? { growthRate: 1, frequency: [0, 1] },
-      point: this.#point, reading: this.#reading(read), veiled: isVeiled,
+      point: this.#point, readings: this.#readings(read), veiled: isVeiled,
     }, theme, voice);
   };
 
@@ -168,24 +168,24 @@ export class PlaneView extends LitElement {
     this.#sheetOf = laid;
   }
 
-  /** What linear theory says of a point: of a veiled one its values alone. @param {{ x: number, y: number }} point @param {boolean} [isSpoken] with names and units */
-  #reading(point, isSpoken = false) {
+  /** What linear theory says of a point, in fewer and fewer words: of a veiled one its values alone. @param {{ x: number, y: number }} point @param {boolean} [isSpoken] with names and units */
+  #readings(point, isSpoken = false) {
     const { voice, plane } = this;
     const sides = this.#sides;
     const linear = this.#scene?.linear;
-    if (!voice || !plane || !sides || !linear) return '';
+    if (!voice || !plane || !sides || !linear) return [''];
     const side = (/** @type {Quantity} */ quantity, /** @type {number} */ value, /** @type {boolean} */ hasUnit) =>
       (isSpoken ? `${lowerName(quantity, voice)} ${quantity.write(value, voice)}` : hasUnit ? valueInWords(quantity, value, voice) : `${plainSymbol(quantity)} ${quantity.number(value, voice)}`);
     const [x, y] = [side(sides.x.quantity, sides.x.quantity.snapped(point.x), true), side(sides.y.quantity, sides.y.quantity.snapped(point.y), false)];
-    if (this.isVeiled) return `${x}, ${y}`;
+    if (this.isVeiled) return [`${x}, ${y}`];
     let roots;
     try {
       roots = linear.eigenvalues({ [plane.x.parameter]: point.x, [plane.y.parameter]: point.y });
     } catch {
       roots = /** @type {import('../../view/root-paths.js').Root[]} */ ([]);
     }
-    const what = becomes(roots, voice);
-    return voice.say('stability.reading', { x, y, what: linear.isGapped ? voice.say('stability.linear', { what }) : what });
+    const what = becomesInTheory(roots, linear.isGapped, voice);
+    return [voice.say('stability.reading', { x, y, what }), what];
   }
 
   /** @param {PointerEvent} event */

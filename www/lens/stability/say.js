@@ -33,6 +33,12 @@ export function becomes(roots, voice) {
   return voice.say(leading.re > 0 ? 'stability.grows' : 'stability.falls', { rate, frequency: voice.number(leading.im / circle, 1) });
 }
 
+/** The same, and that it is linear theory where the gear is not linear even for a small swing. @param {readonly Root[]} roots @param {boolean} isGapped @param {Voice} voice */
+export function becomesInTheory(roots, isGapped, voice) {
+  const what = becomes(roots, voice);
+  return isGapped ? voice.say('stability.linear', { what }) : what;
+}
+
 /** The pair in numbers: `52.1 Hz · +12.3 s⁻¹ · ζ −0.038`. @param {readonly Root[]} roots @param {Voice} voice */
 export function pairInNumbers(roots, voice) {
   const pair = pairOf(roots);
@@ -40,6 +46,13 @@ export function pairInNumbers(roots, voice) {
   if (!pair) return roots.length > 0 ? voice.say('roots.real', { rate: signed(roots[0].re) }) : '';
   const ratio = -pair.re / Math.hypot(pair.re, pair.im);
   return voice.say('roots.pair', { frequency: voice.number(pair.im / circle, 1), rate: signed(pair.re), ratio: voice.number(ratio, 3) });
+}
+
+/** The same in fewer and fewer words. @param {readonly Root[]} roots @param {Voice} voice */
+export function pairReadings(roots, voice) {
+  const whole = pairInNumbers(roots, voice);
+  const parts = whole.split(' · ');
+  return [whole, parts.slice(0, 2).join(' · '), parts[0]];
 }
 
 /** A crossing: `Hopf, 50.1 Hz`. @param {import('./roots-walk.js').Crossing} crossing @param {Voice} voice */
@@ -61,8 +74,13 @@ export function valueInWords(quantity, value, voice) {
 
 /** A range: `v 0.5 … 100 m/s`. @param {Quantity} quantity @param {Range} range @param {Voice} voice */
 export function rangeInWords(quantity, { from, to }, voice) {
-  const number = (/** @type {number} */ value) => voice.number(quantity.toShown(value), Math.min(4, decimalsOf(quantity.toShown(value), 0)));
-  return voice.say('stability.range', { symbol: plainSymbol(quantity), from: number(from), to: withUnit(number(to), quantity.unit) });
+  return voice.say('stability.range', { symbol: plainSymbol(quantity), from: shortNumber(quantity, from, voice), to: withUnit(shortNumber(quantity, to, voice), quantity.unit) });
+}
+
+/** A value without needless zeros: `0.5`, `100`. @param {Quantity} quantity @param {number} value @param {Voice} voice */
+export function shortNumber(quantity, value, voice) {
+  const shown = quantity.toShown(value);
+  return voice.number(shown, Math.min(4, decimalsOf(shown, 0)));
 }
 
 /** A symbol as plain text: `I_z` is `Iz`. @param {Quantity} quantity */

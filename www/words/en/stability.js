@@ -1,6 +1,8 @@
 /** Words of the lens Stability, in English. */
 export const stability = {
+  'stability.title': 'Stability plane',
   'stability.view.plane': 'Plane and roots',
+  'stability.view.roots': 'Roots and swing',
   'stability.view.locus': 'Root locus',
 
   'stability.stable': 'dies out',
@@ -16,7 +18,7 @@ export const stability = {
   'stability.falls': 'falls {rate} s⁻¹, {frequency} Hz',
   'stability.aside': 'turns aside, {rate} s⁻¹',
   'stability.creeps': 'falls {rate} s⁻¹ without a swing',
-  'stability.linear': 'linear: {what}',
+  'stability.linear': '{what} (linear theory)',
 
   'stability.share': '{share} % of the plane is stable: {x}, {y}',
   'stability.share.gap': 'Linear theory inside the gap, where no spring works: {share}',
@@ -42,6 +44,8 @@ export const stability = {
   'roots.name.veiled': 'Roots of the linear gear in the complex plane. Hidden until you have guessed.',
   'roots.pair': '{frequency} Hz · {rate} s⁻¹ · ζ {ratio}',
   'roots.real': '{rate} s⁻¹, no swing',
+  'roots.line': 'Below: a swing too small for the tire to limit it, with the envelope that the leading pair foretells.',
+  'roots.line.gap': 'Linear theory inside the gap, where no spring works. Below: a swing within it, and its envelope.',
   'roots.hopf': 'Hopf, {frequency} Hz',
   'roots.divergence': 'divergence',
   'roots.said': '{crossing}: it now {what}',

@@ -1,6 +1,8 @@
 /** Words of the lens Stability, in Turkish. @type {typeof import('../en/stability.js').stability} */
 export const stability = {
+  'stability.title': 'Kararlılık düzlemi',
   'stability.view.plane': 'Düzlem ve kökler',
+  'stability.view.roots': 'Kökler ve salınım',
   'stability.view.locus': 'Köklerin yer eğrisi',
 
   'stability.stable': 'sönüyor',
@@ -16,7 +18,7 @@ export const stability = {
   'stability.falls': '{rate} s⁻¹ ile sönüyor, {frequency} Hz',
   'stability.aside': 'yana dönüyor, {rate} s⁻¹',
   'stability.creeps': 'salınmadan {rate} s⁻¹ ile sönüyor',
-  'stability.linear': 'doğrusal: {what}',
+  'stability.linear': '{what} (doğrusal teori)',
 
   'stability.share': 'Düzlemin %{share} kadarı kararlı: {x}, {y}',
   'stability.share.gap': 'Yayın çalışmadığı boşluk içinde doğrusal teori: {share}',
@@ -42,6 +44,8 @@ export const stability = {
   'roots.name.veiled': 'Doğrusal takımın karmaşık düzlemdeki kökleri. Tahmin edene kadar gizli.',
   'roots.pair': '{frequency} Hz · {rate} s⁻¹ · ζ {ratio}',
   'roots.real': '{rate} s⁻¹, salınım yok',
+  'roots.line': 'Altta: lastiğin sınırlayamayacağı kadar küçük bir salınım ve baştaki çiftin öngördüğü zarf.',
+  'roots.line.gap': 'Yayın çalışmadığı boşluk içinde doğrusal teori. Altta: boşluk içinde bir salınım ve zarfı.',
   'roots.hopf': 'Hopf, {frequency} Hz',
   'roots.divergence': 'ıraksama',
   'roots.said': '{crossing}: artık {what}',
