@@ -570,3 +570,19 @@ test('what goes in and out agrees with where the swing goes, from the first inst
     assert.ok((session.energy?.stored ?? 0) > 0, `${velocity} m/s: ${session.energy?.stored} J`);
   }
 });
+
+test('a point sets its values alone, parts what would follow them, is one undo a drag, and is set whole or not at all', () => {
+  const { store, session } = opened();
+  store.follow({ links: { relaxationLength: true, treadWidthMomentConstant: true } });
+  const before = store.state.parameters;
+  for (const halfContactLength of [0.11, 0.12, 0.13]) assert.equal(session.setPoint({ halfContactLength, velocity: 40 }, 'point drag 1'), null);
+  assert.deepEqual(store.state.parameters, { ...before, halfContactLength: 0.13, velocity: 40 });
+  assert.deepEqual(store.state.links, { relaxationLength: false, treadWidthMomentConstant: false });
+  const refusal = session.setPoint({ velocity: -1, dampingConstant: 60 }, null);
+  assert.match(String(refusal), /velocity/);
+  assert.deepEqual(store.state.parameters, { ...before, halfContactLength: 0.13, velocity: 40 });
+  assert.equal(session.scene(wanted).parameters.dampingConstant, before.dampingConstant);
+  store.undo();
+  assert.deepEqual(store.state.parameters, before);
+  assert.deepEqual(store.state.links, { relaxationLength: true, treadWidthMomentConstant: true });
+});

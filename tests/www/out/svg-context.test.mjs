@@ -195,3 +195,15 @@ test('it knows every call and every style that the drawings use', async () => {
   assert.ok(used.size > 25, `${[...used]}`);
   assert.deepEqual([...used].filter((member) => !(member in context)), []);
 });
+
+test('an image keeps its pixels, is stretched as told, and turns with the axes', () => {
+  const context = fresh();
+  const image = /** @type {HTMLCanvasElement} */ (/** @type {unknown} */ ({ toDataURL: () => 'data:image/png;base64,AAAA' }));
+  context.asContext.drawImage(image, 10, 20, 80, 40);
+  context.translate(5, 6);
+  context.asContext.drawImage(image, 0, 0, 8, 4);
+  const [first, second] = elements(context, 'image');
+  assert.match(first, /x="10" y="20" width="80" height="40"/);
+  assert.match(first, /preserveAspectRatio="none" href="data:image\/png;base64,AAAA"/);
+  assert.match(second, /matrix\(1 0 0 1 5 6\)/);
+});
