@@ -129,16 +129,16 @@ test('a word finds the roomiest place of its region, or none', () => {
 test('lines of one value lie on it, closed where they close, with their numbers', () => {
   const [across, up] = [80, 60];
   const values = Float64Array.from({ length: across * up }, (_, i) => Math.hypot(((i % across) + 0.5) / across - 0.5, (Math.floor(i / across) + 0.5) / up - 0.5));
-  const [ring, ...others] = isoLinesOf({ values, columns: across, rows: up }, 0.3);
+  const [[ring, ...others], corners] = isoLinesOf({ values, columns: across, rows: up }, [0.3, 0.6]);
   assert.equal(others.length, 0);
   assert.equal(ring.across[0], ring.across.at(-1));
   ring.across.forEach((x, i) => assert.ok(Math.abs(Math.hypot(x - 0.5, ring.up[i] - 0.5) - 0.3) < 2e-3));
-  assert.equal(isoLinesOf({ values, columns: across, rows: up }, 0.6).length, 4, 'four corners');
-  const saddle = isoLinesOf({ values: [1, 0, 0, 1], columns: 2, rows: 2 }, 0.4);
+  assert.equal(corners.length, 4);
+  const [saddle] = isoLinesOf({ values: [1, 0, 0, 1], columns: 2, rows: 2 }, [0.4]);
   assert.equal(saddle.length, 2);
   // The middle is above the level, so the two high corners are one region: each line cuts off a low one.
   for (const { across: x, up: y } of saddle) assert.ok((x[0] + x[1]) / 2 > 0.5 !== (y[0] + y[1]) / 2 > 0.5);
-  assert.equal(isoLinesOf({ values: [1, NaN, 0, 1], columns: 2, rows: 2 }, 0.4).length, 0);
+  assert.deepEqual(isoLinesOf({ values: [1, NaN, 0, 1], columns: 2, rows: 2 }, [0.4]), [[]]);
   assert.ok(sheet.numbers.some(({ text }) => text === '+10') && sheet.numbers.some(({ text }) => text === '−10'));
   assert.ok(!sheet.numbers.some(({ text }) => text === '0'), 'the boundary is drawn from its own source');
 });

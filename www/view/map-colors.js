@@ -4,7 +4,7 @@
  *
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {'growthRate' | 'stable' | 'frequency'} Coloring
- * @typedef {[number, number, number]} Color
+ * @typedef {[red: number, green: number, blue: number, packed: number]} Color `packed`: as four bytes of a picture
  * @typedef {{ growthRate: number, frequency: [number, number] }} Limits the ends of the scales: ± in 1/s, from and to in Hz
  */
 
@@ -44,15 +44,10 @@ export function colorsOf(coloring, limits, theme) {
  * @param {Uint8ClampedArray} pixels four a cell, to be written to
  */
 export function paintPixels({ values, columns, rows }, colorOf, pixels) {
+  const whole = new Uint32Array(pixels.buffer, pixels.byteOffset, columns * rows);
   for (let row = 0, at = 0; row < rows; row++) {
     const start = (rows - 1 - row) * columns;
-    for (let column = 0; column < columns; column++, at += 4) {
-      const [red, green, blue] = colorOf(values[start + column]);
-      pixels[at] = red;
-      pixels[at + 1] = green;
-      pixels[at + 2] = blue;
-      pixels[at + 3] = 255;
-    }
+    for (let column = 0; column < columns; column++) whole[at++] = colorOf(values[start + column])[3];
   }
 }
 
@@ -69,10 +64,22 @@ function rampOf(colorAt) {
 
 /** @param {Color} one @param {Color} other @param {number} share of the other @returns {Color} */
 function mix(one, other, share) {
-  return /** @type {Color} */ (one.map((channel, i) => channel + share * (other[i] - channel)));
+  const [red, green, blue] = [0, 1, 2].map((i) => one[i] + share * (other[i] - one[i]));
+  return colorOf(red, green, blue);
 }
 
 /** @param {string} color `#rrggbb` @returns {Color} */
 function channels(color) {
-  return /** @type {Color} */ ([1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16)));
+  const [red, green, blue] = [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16));
+  return colorOf(red, green, blue);
+}
+
+const bytes = new Uint8Array(4);
+const word = new Uint32Array(bytes.buffer);
+
+/** @param {number} red @param {number} green @param {number} blue @returns {Color} */
+function colorOf(red, green, blue) {
+  bytes.set([red, green, blue].map(Math.round));
+  bytes[3] = 255;
+  return [red, green, blue, word[0]];
 }

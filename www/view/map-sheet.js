@@ -44,8 +44,9 @@ export function sheetOf(context, frame, map, { coloring, limits, words }, theme,
   const { columns, rows, growthRate } = map;
   const field = (/** @type {ArrayLike<number>} */ values) => ({ values, columns, rows });
   const stable = field(map.stable);
-  const isUnstable = growthRate
-    ? (/** @type {number} */ across, /** @type {number} */ up) => valueIn(field(growthRate), across, up) > 0
+  const rates = growthRate && field(growthRate);
+  const isUnstable = rates
+    ? (/** @type {number} */ across, /** @type {number} */ up) => valueIn(rates, across, up) > 0
     : (/** @type {number} */ across, /** @type {number} */ up) => !cellAt(stable, across, up);
   const regionAt = (/** @type {number} */ across, /** @type {number} */ up) => {
     if (cellAt(stable, across, up)) return 'stable';
@@ -68,8 +69,10 @@ export function sheetOf(context, frame, map, { coloring, limits, words }, theme,
   /** @type {MapSheet} */
   const sheet = { hatch: hatchOf(frame, isUnstable, theme), lines: [], numbers: [], words: placed };
   context.font = textFont(theme, 0.85);
-  for (const level of values ? levels : []) {
-    const lines = isoLinesOf(thinned(field(/** @type {Float64Array} */ (values))), level).map(({ across, up }) => ({
+  const found = values ? isoLinesOf(thinned(field(values)), levels) : [];
+  found.forEach((places, i) => {
+    const level = levels[i];
+    const lines = places.map(({ across, up }) => ({
       x: across.map((share) => frame.left + share * (frame.right - frame.left)),
       y: up.map((share) => frame.bottom - share * (frame.bottom - frame.top)),
     }));
@@ -80,7 +83,7 @@ export function sheetOf(context, frame, map, { coloring, limits, words }, theme,
     const box = numberPlaces.map((share) => boxOn(longest, share, size)).find((one) => one && isInside(one, frame)
       && ![...placed, ...sheet.numbers].some((other) => overlap(one, other.box)));
     if (box) sheet.numbers.push({ text, box, color: theme.ink2 });
-  }
+  });
   return sheet;
 }
 
