@@ -22,6 +22,7 @@ after(async () => {
 const scenes = [
   ['the opening run, light', 'light', ''],
   ['a rattle in the gap, dark', 'dark', '#shimmy=1&velocity=50&dampingConstant=100&freeplayAngle=0.017453292519943295&initial.torsionAngle=0.05'],
+  ['a stability plane with roots and history, light', 'light', '#shimmy=2&velocity=80&dampingConstant=30&initial.torsionAngle=0.05&lens=stability'],
 ];
 
 for (const [name, colorScheme, link] of scenes) {

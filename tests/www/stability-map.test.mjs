@@ -30,7 +30,7 @@ const sides = {
   y: { ...dampingOverVelocity.y, quantity: quantity('dampingConstant', 'c', 'N m s/rad') },
 };
 /** @type {import('../../www/run/linear-looks.js').BoundaryCurve[]} */
-const boundary = [{ x: Float64Array.from(criticalSpeeds, ([, v]) => v), y: Float64Array.from(criticalSpeeds, ([c]) => c), frequency: new Float64Array(5), kind: 'hopf', closed: false }];
+const boundary = [{ x: Float64Array.from(criticalSpeeds, ([, v]) => v), y: Float64Array.from(criticalSpeeds, ([c]) => c), frequency: new Float64Array(5), kind: 'hopf', closed: false, bounds: true }];
 const look = { coloring: /** @type {const} */ ('growthRate'), limits, words };
 const sheet = sheetOf(recordingContext().context, frame, map, look, theme, voice);
 const image = /** @type {CanvasImageSource} */ (/** @type {unknown} */ ({}));
@@ -100,6 +100,9 @@ test('the boundary passes the published critical speeds, solid for Hopf and brok
   const other = recordingContext();
   drawStabilityMap(other.context, size, { ...shown, boundary: [{ ...boundary[0], kind: 'divergence' }] }, theme, voice);
   assert.ok(other.named('stroke').some(({ style }) => style.strokeStyle === theme.unstable && style.lineWidth === 2.5 && style.dash.length > 0));
+  const within = recordingContext();
+  drawStabilityMap(within.context, size, { ...shown, boundary: [{ ...boundary[0], bounds: false }] }, theme, voice);
+  assert.ok(within.named('stroke').every(({ style }) => style.strokeStyle !== theme.unstable || style.lineWidth < 2.5), 'where nothing becomes stable the line is thin');
 });
 
 test('the map’s image fills the frame, and words stand in their own regions', () => {

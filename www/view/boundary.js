@@ -1,6 +1,7 @@
 /**
  * Where stability ends in a plane: a solid line where a swing begins to grow (Hopf), a dashed one with dots where the wheel
- * begins to turn aside (divergence).
+ * begins to turn aside (divergence). Where another root crosses the axis beyond that, nothing changes between stable and not:
+ * a thin line.
  *
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../run/linear-looks.js').BoundaryCurve} BoundaryCurve
@@ -20,18 +21,18 @@ export const boundaryDashes = { hopf: [], divergence: [9, 4, 2, 4] };
  */
 export function drawBoundary(context, curves, x, y, theme) {
   context.lineJoin = 'round';
-  for (const { kind, closed, ...points } of curves) {
+  for (const { kind, closed, bounds, ...points } of curves) {
     const curve = curveOf(points.x, points.y, x, y);
     context.setLineDash([]);
     // On a pale edge, so that it stands off the strongest color.
     context.strokeStyle = theme.surface;
-    context.lineWidth = 4.5 * theme.line;
+    context.lineWidth = (bounds ? 4.5 : 2) * theme.line;
     context.globalAlpha = 0.7;
     strokeCurve(context, curve, { isClosed: closed });
     context.globalAlpha = 1;
     context.setLineDash(boundaryDashes[kind].map((length) => length * theme.line));
     context.strokeStyle = theme.unstable;
-    context.lineWidth = 2.5 * theme.line;
+    context.lineWidth = (bounds ? 2.5 : 1) * theme.line;
     strokeCurve(context, curve, { isClosed: closed });
   }
   context.setLineDash([]);

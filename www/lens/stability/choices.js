@@ -38,9 +38,10 @@ export function planeChoices(host, plane, quantities, voice) {
       ${readyPlanes.map(({ x, y }) => {
         const [across, up] = [byName(x), byName(y)];
         if (!across || !up) return '';
-        const does = voice.say('stability.ready.does', { up: lowerName(up, voice), across: lowerName(across, voice) });
+        const short = voice.say('stability.ready', { up: plainSymbol(up), across: plainSymbol(across) });
+        const does = voice.say('stability.ready.does', { short, up: lowerName(up, voice), across: lowerName(across, voice) });
         return html`<button type="button" class="framed ready" aria-label=${does} title=${does} aria-pressed=${plane.x.parameter === x && plane.y.parameter === y ? 'true' : 'false'}
-          @click=${() => choose({ x: ranged(across), y: ranged(up) })}>${voice.say('stability.ready', { up: plainSymbol(up), across: plainSymbol(across) })}</button>`;
+          @click=${() => choose({ x: ranged(across), y: ranged(up) })}>${short}</button>`;
       })}
       ${side('y', 'stability.up')}
       <button type="button" class="framed icon swap" aria-label=${voice.say('stability.swap')} title=${voice.say('stability.swap')}

@@ -9,7 +9,7 @@
  * @typedef {import('./settings.js').Plane} Plane
  * @typedef {{ object: string, parameters: Readonly<Record<string, number>>, linear: LinearLooks, scales: object }} Gear `scales`:
  *   another object once the axes were fitted anew
- * @typedef {{ map: StabilityMap, share: number, boundary: BoundaryCurve[], limits: Limits, isCoarse: boolean }} Looked `share`: of
+ * @typedef {{ map: StabilityMap, share: number | null, boundary: BoundaryCurve[], limits: Limits, isCoarse: boolean }} Looked `share`: of
  *   the plane that is stable, in per cent
  */
 

@@ -29,7 +29,7 @@ export const stability = {
   'stability.point': 'The gear in the plane',
   'stability.point.does': 'Arrow keys move it: left and right {across}, up and down {up}; Shift × 10, Alt ÷ 10',
   'stability.ready': '{up} – {across}',
-  'stability.ready.does': 'The plane of {up} over {across}',
+  'stability.ready.does': '{short}: the plane of {up} over {across}',
   'stability.across': 'To the right',
   'stability.up': 'Upward',
   'stability.swap': 'Swap the axes',

@@ -29,7 +29,7 @@ export const stability = {
   'stability.point': 'Takımın düzlemdeki yeri',
   'stability.point.does': 'Ok tuşları taşır: sol ve sağ {across}, yukarı ve aşağı {up}; Shift × 10, Alt ÷ 10',
   'stability.ready': '{up} – {across}',
-  'stability.ready.does': '{across} boyunca {up} düzlemi',
+  'stability.ready.does': '{short}: {across} boyunca {up} düzlemi',
   'stability.across': 'Sağa doğru',
   'stability.up': 'Yukarı doğru',
   'stability.swap': 'Eksenleri değiştir',
