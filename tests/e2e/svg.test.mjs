@@ -44,8 +44,10 @@ for (const [name, colorScheme, link] of scenes) {
       await page.evaluate(() => document.querySelector('#both div')?.remove());
       const { apart, inked } = await page.evaluate(compare, [drawn, painted].map((shot) => `data:image/png;base64,${shot.toString('base64')}`));
       assert.ok(inked > 0.005, `the view is blank: ${inked}`);
-      // Letters are placed on fractions of a pixel by one and not by the other; lines are the same but for their edges.
-      assert.ok(apart < (hasWords ? 0.01 : 0.0006), `${apart} of ${width} × ${height} pixels differ ${hasWords ? 'with' : 'without'} words`);
+      // Letters are placed on fractions of a pixel by one and not by the other; lines are the same but for their edges. Of a
+      // small picture words are a larger part.
+      const allowed = hasWords ? (width < 400 ? 0.02 : 0.01) : 0.0006;
+      assert.ok(apart < allowed, `${apart} of ${width} × ${height} pixels differ ${hasWords ? 'with' : 'without'} words`);
     }
     await context.close();
   });

@@ -165,7 +165,7 @@ test('loci: one for each value of the other, through the roots there, colored by
   const pair = way.paths.find((path) => path.every(({ im }) => im > 0));
   assert.ok(pair);
   const after = pair.findIndex(({ re }) => re > 0);
-  assert.ok(way.at[after - 1] < 27.6 && way.at[after] > 27.5996 && way.at[after] - way.at[after - 1] < 3);
+  assert.ok(way.at[after - 1] < 27.6 && way.at[after] > 27.5996 && way.at[after] - way.at[after - 1] < 5);
   const { context, named } = recordingContext();
   drawRootLocus(context, { width: 600, height: 500 }, {
     ways: found.ways.map(({ value, at, paths }) => ({ label: `e ${value}`, paths, shares: at.map((swept) => (swept - 0.5) / 99.5) })),

@@ -44,6 +44,7 @@ export class StabilityLens extends PlotLens {
   /** Frames until a coarse map is refined, and which; another begins them anew. */ #patience = 0;
   /** @type {unknown} */ #coarse = null;
   #frame = 0;
+  /** @type {{ from: unknown[], plane: import('./stability/settings.js').Plane, locus: import('./stability/settings.js').Locus } | null} */ #settings = null;
 
   constructor() {
     super();
@@ -73,16 +74,22 @@ export class StabilityLens extends PlotLens {
     return this.scene?.linear.isGapped ?? false;
   }
 
-  get #parameters() {
-    return this.quantities.map(({ parameter }) => parameter);
-  }
-
   get #plane() {
-    return planeOf(this.settings.plane ?? '', this.#parameters);
+    return this.#read.plane;
   }
 
   get #locus() {
-    return locusOf(this.settings.locus ?? '', this.#parameters);
+    return this.#read.locus;
+  }
+
+  /** The settings as they are meant, the same as long as nothing of them has changed. */
+  get #read() {
+    const { settings: { plane = '', locus = '' }, quantities } = this;
+    const from = [plane, locus, quantities];
+    if (this.#settings?.from.every((one, i) => one === from[i])) return this.#settings;
+    const parameters = quantities.map(({ parameter }) => parameter);
+    this.#settings = { from, plane: planeOf(plane, parameters), locus: locusOf(locus, parameters) };
+    return this.#settings;
   }
 
   /** @param {string} name */
@@ -153,7 +160,10 @@ export class StabilityLens extends PlotLens {
     return family && other ? voice.say('locus.name.family', { ...values, count: family.count, other: lowerName(other, voice) }) : voice.say('locus.name', values);
   }
 
-  updated() {
+  /** @param {Map<string, unknown>} changed */
+  updated(changed) {
+    // Words that follow what was drawn are no reason to draw it again.
+    if ([...changed.keys()].every((name) => ['share', 'said', 'spoken', 'outlook', 'ghosts'].includes(name))) return;
     this.#drawn = [];
     if (this.scene && this.theme) this.draw(this.scene, this.theme);
   }

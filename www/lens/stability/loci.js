@@ -13,7 +13,7 @@ import { roundLimit } from '../../view/scale.js';
 
 const single = 241;
 /** Of several, all together must stay within a frame. */
-const several = 61;
+const several = 45;
 const leftOut = 0.02;
 /** How far to the left is looked at least, measured by how far upward. */
 const nearShare = 0.2;

@@ -67,7 +67,10 @@ export class PlaneView extends LitElement {
         @lostpointercapture=${this.#release} @keydown=${this.#key}></div>`;
   }
 
-  updated() {
+  /** @param {Map<string, unknown>} changed */
+  updated(changed) {
+    // Words that follow what was drawn are no reason to draw it again.
+    if ([...changed.keys()].every((name) => ['label', 'spoken'].includes(name))) return;
     this.#drawn = [];
     this.#show();
   }
