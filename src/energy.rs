@@ -99,7 +99,7 @@ fn cycle<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Option<f64>>
 fn step<S: Gear<N>, const N: usize>(motion: &mut Integrator<S, N>, end: f64, most_steps: u64) -> Result<()> {
     let time = motion.time();
     if motion.stats().steps >= most_steps {
-        return Err(Error::new(Code::StepLimit, "maxSteps", time.to_string(), most_steps.to_string()));
+        return Err(Error::step_limit(time, most_steps));
     }
     motion.step(end).map(drop).map_err(|failure: Failure| failed(failure, time))
 }

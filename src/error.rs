@@ -80,6 +80,8 @@ pub struct Error {
 
 impl Error {
     /// `field must be allowed, got value`.
+    #[cold]
+    #[inline(never)]
     pub fn new(code: Code, field: impl Into<String>, value: impl Into<String>, allowed: impl Into<String>) -> Self {
         Self { code, field: field.into(), value: value.into(), allowed: allowed.into(), suggestion: None }
     }
@@ -94,6 +96,12 @@ impl Error {
             allowed: format!("one of {}", known.join(", ")),
             suggestion: nearest(name, known),
         }
+    }
+
+    /// The run came to `time` s in as many steps as it may take.
+    #[cold]
+    pub(crate) fn step_limit(time: f64, steps: u64) -> Self {
+        Self::new(Code::StepLimit, "maxSteps", shown(time), steps.to_string())
     }
 
     /// The model `name` has no `what`.
@@ -133,12 +141,37 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {}
 
 /// A number as an error shows it: short, whatever its size, and in words that JavaScript has too.
+#[cold]
 pub(crate) fn shown(value: f64) -> String {
     match value {
         _ if value.is_nan() => "NaN".into(),
         _ if value.is_infinite() => if value > 0.0 { "Infinity" } else { "-Infinity" }.into(),
-        _ if value != 0.0 && !(1e-6..1e15).contains(&value.abs()) => format!("{value:e}"),
-        _ => value.to_string(),
+        _ if value != 0.0 && !(1e-6..1e15).contains(&value.abs()) => digits::with_exponent(value),
+        _ => digits::plain(value),
+    }
+}
+
+/// A number to four digits, with an exponent.
+#[cold]
+pub(crate) fn shown_short(value: f64) -> String {
+    digits::to_four(value)
+}
+
+/// Shortest digits that stand for a number. JavaScript has them; a second set of tables and big integers for them would be
+/// a twentieth of the module.
+#[cfg(target_arch = "wasm32")]
+use crate::wasm::digits;
+
+#[cfg(not(target_arch = "wasm32"))]
+mod digits {
+    pub fn plain(value: f64) -> String {
+        value.to_string()
+    }
+    pub fn with_exponent(value: f64) -> String {
+        format!("{value:e}")
+    }
+    pub fn to_four(value: f64) -> String {
+        format!("{value:.3e}")
     }
 }
 

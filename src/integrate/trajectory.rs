@@ -2,7 +2,7 @@
 
 use super::{Failure, Integrator, Outcome, Stats, method::Scheme};
 use crate::{
-    error::{Code, Error, Result},
+    error::{Code, Error, Result, shown},
     model::System,
 };
 
@@ -114,7 +114,7 @@ pub fn solve<S: System<N>, const N: usize>(
     }
     while motion.time() < end {
         if motion.stats().steps >= max_steps {
-            return Err(Error::new(Code::StepLimit, "maxSteps", motion.time().to_string(), max_steps.to_string()));
+            return Err(Error::step_limit(motion.time(), max_steps));
         }
         let outcome = motion.step(end).map_err(|failure| failed(failure, motion.time()))?;
         while row < wanted && time_of(row) <= motion.time() {
@@ -140,13 +140,13 @@ pub(crate) fn failed(failure: Failure, t: f64) -> Error {
         Failure::Diverged => Error::new(
             Code::Diverged,
             "the motion",
-            t.to_string(),
+            shown(t),
             "it grows without bound with these parameters; run it for less time, or choose less extreme values",
         ),
         Failure::StepTooSmall => Error::new(
             Code::StepTooSmall,
             "the step",
-            t.to_string(),
+            shown(t),
             "the equations change faster than time resolves there; choose less extreme values",
         ),
     }

@@ -7,7 +7,7 @@ use super::{
     cursor::{Change, Cursor},
 };
 use crate::{
-    error::{Code, Error, Result},
+    error::{Error, Result},
     integrate::failed,
     model::Gear,
 };
@@ -79,7 +79,7 @@ impl<S> Journal<S> {
             while cursor.integrator.time() < target {
                 let time = cursor.integrator.time();
                 if left == 0 {
-                    return Err(Error::new(Code::StepLimit, "maxSteps", time.to_string(), most_steps.to_string()));
+                    return Err(Error::step_limit(time, most_steps));
                 }
                 left -= 1;
                 cursor.integrator.step(f64::INFINITY).map_err(|failure| failed(failure, time))?;

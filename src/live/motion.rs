@@ -63,15 +63,19 @@ impl<S: Gear<N>, const N: usize> Motion<S, N> {
         let [earliest, latest] = self.range();
         for (name, value) in [("from", from), ("to", to)] {
             if !(earliest..=latest).contains(&value) {
-                let allowed = format!("within the range {earliest} … {latest} s");
+                let allowed = within(earliest, latest);
                 return Err(Error::new(Code::OutOfRange, name, shown(value), allowed));
             }
         }
         if to < from {
-            return Err(Error::new(Code::NotAscending, "to", shown(to), format!("≥ {from} s (from)")));
+            return Err(Error::new(Code::NotAscending, "to", shown(to), format!("≥ {} s (from)", shown(from))));
         }
         whole(field, count, least)
     }
+}
+
+fn within(earliest: f64, latest: f64) -> String {
+    format!("within the range {} … {} s", shown(earliest), shown(latest))
 }
 
 /// A number of rows as a whole number.
@@ -158,7 +162,7 @@ impl<S: Gear<N>, const N: usize> Live for Motion<S, N> {
     fn seek(&mut self, time: f64) -> Result<()> {
         let [earliest, latest] = self.range();
         if !(earliest..=latest).contains(&time) {
-            let allowed = format!("within the range {earliest} … {latest} s");
+            let allowed = within(earliest, latest);
             return Err(Error::new(Code::OutOfRange, "time", shown(time), allowed));
         }
         let mut cursor = self.keyframes.before(time);

@@ -61,7 +61,8 @@ fn kind<S: Gear<N>, const N: usize>(cursor: &Cursor<S, N>) -> u64 {
     let Description { name, parameters, state, .. } = cursor.tables.description;
     let names = parameters.iter().map(|p| p.name).chain(state.iter().map(|s| s.name));
     let tables = std::iter::once(name).chain(names).collect::<Vec<_>>().join(" ");
-    hash(format!("{tables} {}", cursor.integrator.settings()).as_bytes())
+    let settings = cursor.integrator.settings().flat_map(u64::to_le_bytes);
+    hash(&tables.into_bytes().into_iter().chain(settings).collect::<Vec<u8>>())
 }
 
 /// FNV-1a: finds accidents, not intent.

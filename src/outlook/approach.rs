@@ -40,7 +40,8 @@ pub(super) fn shortcut<S: Gear<N>, const N: usize>(
         let zero = now.0 - now.1 / slope;
         // Without a zero ahead (falling all the way down, or rising all the way up) take a long stride and look again.
         let target = match (slope < 0.0 && zero > 0.0, now.1 < 0.0) {
-            (true, _) => zero.clamp(now.0 / 25.0, now.0 * 25.0),
+            // Not clamp, which would bring its own message with both numbers.
+            (true, _) => zero.max(now.0 / 25.0).min(now.0 * 25.0),
             (false, true) => now.0 / 25.0,
             (false, false) => now.0 * 4.0,
         };

@@ -274,7 +274,7 @@ fn check_times(times: &[f64]) -> Result<()> {
         return refused(Code::OutOfRange, shown(times[0]), "≥ 0 s");
     }
     if let Some(i) = (1..times.len()).find(|&i| times[i] < times[i - 1]) {
-        return refused(Code::NotAscending, format!("{} after {}", times[i], times[i - 1]), "ascending");
+        return refused(Code::NotAscending, format!("{} after {}", shown(times[i]), shown(times[i - 1])), "ascending");
     }
     check_number("times", times[times.len() - 1], Validity::NonNegative, "s").map(|_| ())
 }

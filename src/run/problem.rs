@@ -3,7 +3,7 @@
 use super::Run;
 use crate::{
     energy::{self, Energy},
-    error::{Code, Error, Result, shown},
+    error::{Code, Error, Result, shown, shown_short},
     integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, solve},
     live::{Motion, Simulator},
     model::{Gear, Model, Tables},
@@ -88,7 +88,7 @@ impl<S: Gear<N>, const N: usize> Posed<S, N> {
     pub fn check_step_count(&self, duration: f64) -> Result<()> {
         let Run { step, max_steps, .. } = self.run;
         if self.run.method == Method::Always(Scheme::RungeKutta4) && duration / step > max_steps as f64 {
-            let allowed = format!("long enough to reach {duration} s in {max_steps} steps (maxSteps)");
+            let allowed = format!("long enough to reach {} s in {max_steps} steps (maxSteps)", shown(duration));
             return Err(Error::new(Code::TooLarge, "step", shown(step), allowed));
         }
         Ok(())
@@ -119,7 +119,7 @@ impl<S: Gear<N>, const N: usize> Problem for Posed<S, N> {
 pub(crate) fn check_fixed_step<S: Gear<N>, const N: usize>(system: &S, x: &[f64; N], step: f64) -> Result<()> {
     let fastest = fastest_rate(system, x).max(system.without_freeplay().map_or(0.0, |gear| fastest_rate(&gear, x)));
     if step * fastest > RK4_STABLE {
-        let allowed = format!("at most {:.3e} s for rk4 with these parameters", RK4_STABLE / fastest);
+        let allowed = format!("at most {} s for rk4 with these parameters", shown_short(RK4_STABLE / fastest));
         return Err(Error::new(Code::Unsuited, "step", shown(step), allowed));
     }
     Ok(())

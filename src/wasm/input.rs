@@ -4,7 +4,7 @@ use js_sys::{Array, Float64Array, Reflect};
 use wasm_bindgen::{JsCast, prelude::*};
 
 use crate::{
-    error::{Code, Error, Result},
+    error::{Code, Error, Result, shown},
     run::{MOST_SAMPLES, Value},
 };
 
@@ -96,7 +96,7 @@ fn unreadable(field: &str) -> Error {
 }
 
 fn too_long(field: &str, length: f64) -> Error {
-    Error::new(Code::TooLarge, field, format!("a list of {length} values"), "a list of at most 1e7 numbers")
+    Error::new(Code::TooLarge, field, format!("a list of {} values", shown(length)), "a list of at most 1e7 numbers")
 }
 
 fn series(array: &Float64Array, field: &str) -> Result<Value> {

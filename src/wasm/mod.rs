@@ -4,6 +4,7 @@
 //! objects and `Float64Array`s. Nothing here can panic on input, and methods take `&self`: a panic would leave a
 //! `&mut self` borrowed for ever.
 
+pub(crate) mod digits;
 mod input;
 mod job;
 mod linear;

@@ -84,3 +84,11 @@ test('the module goes on as if nothing had happened', () => {
   for (let i = 0; i < 100; i++) refused({ parameters: { velocity: -i } });
   assert.deepEqual(shimmy.simulate({ ...SHIMMY, samples: 51 }), before);
 });
+
+test('a number is shown as JavaScript writes it, without a plus in its exponent', () => {
+  const value = (/** @type {number} */ velocity) => refused({ parameters: { velocity } }).value;
+  assert.deepEqual([-3, -0.1, -1e300, -1.5e-300, -2e15, -123456.789, 1e13, NaN, -Infinity].map(value),
+    ['-3', '-0.1', '-1e300', '-1.5e-300', '-2e15', '-123456.789', '10000000000000', 'NaN', '-Infinity']);
+  const step = refusal(() => shimmy.simulate({ ...SHIMMY, method: 'rk4', step: 0.1 }));
+  assert.match(step.allowed, /^at most \d\.\d{3}e-\d s for rk4/);
+});

@@ -2,13 +2,22 @@
 
 use std::sync::Arc;
 
-use super::{super::method::Scheme, Integrator, Stats, controller};
+use super::{
+    super::method::{Method, Scheme},
+    Integrator, Stats, Tolerance, controller,
+};
 use crate::model::{Mode, System};
 
 impl<S: System<N>, const N: usize> Integrator<S, N> {
-    /// Method, tolerances and steps, as a text that tells them apart.
-    pub(crate) fn settings(&self) -> String {
-        format!("{:?} {:?} {} {}", self.method, self.tolerance, self.fixed_step, self.longest_step)
+    /// Method, tolerances and steps, as numbers that tell them apart.
+    pub(crate) fn settings(&self) -> impl Iterator<Item = u64> {
+        let method = match self.method {
+            Method::Auto => 0,
+            Method::Always(scheme) => 1 + scheme.number(),
+        };
+        let Tolerance { relative, absolute } = self.tolerance;
+        let numbers = [relative, self.fixed_step, self.longest_step].into_iter().chain(absolute);
+        std::iter::once(method).chain(numbers.map(f64::to_bits))
     }
 
     /// Writes or reads every number of the motion but its system and settings, which are given. False where what was
