@@ -48,7 +48,7 @@ pub(super) fn read<S: Gear<N>, const N: usize>(bytes: &[u8], like: &Cursor<S, N>
     // A snapshot has no past: changes are counted from here.
     cursor.applied = 0;
     let within = (cursor.integrator.step_start()..=cursor.integrator.time()).contains(&time);
-    let alive = sound && cursor.integrator.is_finite_at(time);
+    let alive = sound && cursor.integrator.is_sound_at(time);
     if !(alive && reader.whole && reader.rest.is_empty() && within) {
         return Err(refused("damaged bytes"));
     }

@@ -19,11 +19,12 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.dense.at((t - self.from_t) / self.length)
     }
 
-    /// Whether the motion at time `t` within the last step, and its rate there, are finite numbers.
-    pub(crate) fn is_finite_at(&mut self, t: f64) -> bool {
+    /// Whether the motion at time `t` within the last step, and its rate there, are finite numbers, and the rate that the
+    /// next step begins with is that of the equations.
+    pub(crate) fn is_sound_at(&mut self, t: f64) -> bool {
         let x = self.interpolate(t);
         let rates = [self.system.rate(t, self.from_mode, &x), self.system.rate(self.t, self.mode, &self.x)];
-        x.iter().chain(rates.as_flattened()).all(|value| value.is_finite())
+        x.iter().chain(rates.as_flattened()).all(|value| value.is_finite()) && self.f == rates[1]
     }
 
     /// The turning point of `component` within the last step: its time and value, where its rate changes sign.
