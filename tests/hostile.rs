@@ -204,6 +204,7 @@ fn attempt(input: &Value) {
         }
         Err(error) => assert_speaks(&error),
     }
+    linearise(&run);
     match run.energy() {
         Ok(energy) => {
             let parts =
@@ -219,6 +220,44 @@ fn attempt(input: &Value) {
                     assert_speaks(&error);
                 }
                 assert_finite("the live state", &simulator.state());
+            }
+        }
+        Err(error) => assert_speaks(&error),
+    }
+}
+
+/// What linear theory says by numbers.
+fn linearise(run: &Run) {
+    match run.linearised() {
+        Ok(linear) => {
+            assert_finite("the equilibrium", &linear.equilibrium);
+            assert_finite("the Jacobian", linear.jacobian.as_slice());
+        }
+        Err(error) => return assert_speaks(&error),
+    }
+    match run.eigenvalues() {
+        Ok(values) => values.iter().for_each(|value| assert_finite("an eigenvalue", &[value.re, value.im])),
+        Err(error) => assert_speaks(&error),
+    }
+    match run.routh_array() {
+        Ok(array) => {
+            let degree = array.coefficients.len() - 1;
+            assert!(array.unstable_roots + array.neutral_roots <= degree, "{array:?}");
+            assert_finite("the polynomial", &array.coefficients);
+            array.rows.iter().for_each(|row| assert_finite("Routh's array", row));
+        }
+        Err(error) => assert_speaks(&error),
+    }
+    match run.eigenmodes() {
+        Ok(modes) => {
+            for mode in modes {
+                mode.shape.iter().for_each(|part| assert_finite("a shape", &[part.re, part.im]));
+                let flow =
+                    mode.energy_flow.map(|flow| [flow.tire, flow.damper, flow.tread_width, flow.kinetic, flow.spring]);
+                assert_finite("an energy flow", &flow.unwrap_or_default());
+                let numbers =
+                    [Some(mode.natural_frequency), mode.damping_ratio, mode.time_to_half, mode.time_to_double];
+                assert_finite("a mode", &numbers.map(Option::unwrap_or_default));
             }
         }
         Err(error) => assert_speaks(&error),
@@ -277,6 +316,10 @@ proptest! {
         for input in [Value::Record(variation.clone()), Value::Record(variation[..3].to_vec()), anything.clone()] {
             match Variation::read(&input).and_then(|variation| run.unstable_intervals(&variation)) {
                 Ok(intervals) => intervals.iter().for_each(|part| assert_finite("an end", &[part.from, part.to])),
+                Err(error) => assert_speaks(&error),
+            }
+            match Variation::read(&input).and_then(|variation| run.crossings(&variation)) {
+                Ok(crossings) => crossings.iter().for_each(|c| assert_finite("a crossing", &[c.value, c.frequency])),
                 Err(error) => assert_speaks(&error),
             }
         }

@@ -40,7 +40,10 @@ function rightRun(shimmy, random, models) {
 /** @param {Shimmy} shimmy @param {Random} random @param {Model[]} models */
 function wrongRun(shimmy, random, models) {
   const { run, wrong } = hostileRun(random, models);
-  const name = random.chance(0.7) ? 'simulate' : random.pick(/** @type {const} */ (['outlook', 'energy', 'routhHurwitz', 'linkedParameters', 'forceLaws']));
+  const name = random.chance(0.7) ? 'simulate' : random.pick(/** @type {const} */ ([
+    'outlook', 'energy', 'routhHurwitz', 'linkedParameters', 'forceLaws', 'equilibrium', 'jacobian', 'eigenvalues',
+    'characteristicPolynomial', 'routhArray', 'eigenmodes',
+  ]));
   const what = `${name}, wrong: ${wrong.join('; ')}`;
   const answer = judged(what, () => shimmy[name](/** @type {any} */ (run)));
   if (answer && name === 'simulate') judgeTrajectory(what, answer);
@@ -84,7 +87,7 @@ const QUESTIONS = [
   (random, { parameters }) => {
     const { name, min, max } = random.pick(parameters);
     const linked = { relaxationLength: random.chance(0.5), treadWidthMomentConstant: random.chance(0.5) };
-    return { name: 'unstableIntervals', asked: { parameter: name, from: min, to: random.chance(0.9) ? max : random.pick(NUMBERS), linked } };
+    return { name: random.pick(['unstableIntervals', 'crossings']), asked: { parameter: name, from: min, to: random.chance(0.9) ? max : random.pick(NUMBERS), linked } };
   },
   (random) => ({ name: 'forceLaws', asked: { slipAngle: random.between(0.01, 1.6), torsionAngle: random.between(0.01, 1), samples: 2 + random.below(50) } }),
   (random) => ({
