@@ -3,5 +3,6 @@
 
 pub mod exact;
 pub mod gear;
+pub mod linear;
 pub mod random;
 pub mod reference;
