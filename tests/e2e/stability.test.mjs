@@ -46,7 +46,7 @@ async function untilSaid(page, words) {
 
 /** Where a pair of values stands on the screen. @param {Page} page @param {number} x @param {number} y */
 const placeOf = (page, x, y) => page.evaluate(async ([across, up]) => {
-  const plane = /** @type {import('../../www/lens/stability/plane.js').PlaneView} */ (document.querySelector('shimmy-plane'));
+  const plane = /** @type {import('../../www/lens/stability/plane.js').Plane} */ (document.querySelector('shimmy-plane'));
   const canvas = /** @type {HTMLElement} */ (plane.querySelector('shimmy-canvas')).getBoundingClientRect();
   const size = parseFloat(getComputedStyle(plane).getPropertyValue('--size-1')) * 16;
   const chosen = /** @type {import('../../www/lens/stability/settings.js').Plane} */ (plane.plane);

@@ -42,6 +42,7 @@ test('a link carries plane and locus, and says what of them it could not use', (
   assert.equal(good?.state.lens, 'stability');
   assert.deepEqual(good?.state.views, { stability: 'locus', plane: 'velocity:0.5:60,relaxationLength:0.02:1,stable', locus: 'velocity:1:50' });
   assert.deepEqual(read('view.plane=speed:0:1,dampingConstant:0:1,stable')?.problems.map(({ key, reason }) => [key, reason]), [['view.plane', 'unclear']]);
+  assert.deepEqual(read('view.stability=rooms')?.problems.map(({ key, reason }) => [key, reason]), [['view.stability', 'unclear']]);
   // The engine refuses a speed that is not above 0.
   const refused = read('view.plane=velocity:-5:60,dampingConstant:0:100,stable');
   assert.deepEqual(refused?.problems.map(({ key, reason }) => [key, reason]), [['view.plane', 'refused']]);

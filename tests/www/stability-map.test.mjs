@@ -167,8 +167,8 @@ test('the legend tells what colors mean, in numbers or in words', () => {
     return { words: written(named('fillText')), hatches: named('stroke').filter(({ style }) => style.strokeStyle === theme.unstable).length };
   };
   assert.deepEqual(legend('growthRate').words, ['−40', '+40 s⁻¹']);
-  assert.deepEqual(legend('frequency').words, ['40', '60 Hz']);
-  assert.deepEqual(legend('stable').words, ['dies out', 'shimmies']);
+  assert.deepEqual(legend('frequency').words, ['40', '60 Hz', 'no swing']);
+  assert.deepEqual(legend('stable').words, ['stable', 'unstable']);
   assert.ok(legend('growthRate').hatches > 0 && legend('stable').hatches > 0 && legend('frequency').hatches === 0);
 });
 
@@ -190,4 +190,14 @@ test('readings give way to shorter ones where there is little room', () => {
   };
   assert.equal(reading(600), 'v 80 m/s, c 30: grows 8.6 s⁻¹, 53.8 Hz');
   assert.equal(reading(340), 'grows 8.6 s⁻¹, 53.8 Hz');
+});
+
+test('numbers too long for the axis are told in thousands, with their unit', () => {
+  const { context, named } = recordingContext();
+  const stiffness = { parameter: 'torsionalStiffness', from: 0, to: 300_000, quantity: quantity('torsionalStiffness', 'k', 'N m/rad') };
+  drawStabilityMap(context, size, { ...shown, y: stiffness, boundary: [], point: { x: 80, y: 100_000 } }, theme, voice);
+  const said = written(named('fillText'));
+  assert.ok(said.includes('300') && said.some((text) => text.endsWith(', kN m/rad')), said.join('|'));
+  const [, y] = named('arc').at(-1)?.args ?? [];
+  assert.ok(Math.abs(y - (frame.bottom - (frame.bottom - frame.top) / 3)) < 1e-6);
 });

@@ -16,7 +16,7 @@
 
 import { isVelocityUnit } from '../controls/unit.js';
 import { lenses } from '../lens/lenses.js';
-import { readLocus, readPlane } from '../lens/stability/settings.js';
+import { readLocus, readPlane, viewNames } from '../lens/stability/settings.js';
 import { mostGhosts } from '../run/ghosts.js';
 import { slowRates } from '../run/rate.js';
 import { mostStrokes, strokeOf } from './pen.js';
@@ -147,6 +147,11 @@ export const readers = {
   'view.velocityUnit': ({ state }, value) => {
     if (!isVelocityUnit(value)) return 'unknown';
     state.velocityUnit = value;
+    return null;
+  },
+  'view.stability': ({ state }, value) => {
+    if (!viewNames.some((name) => name === value)) return 'unclear';
+    state.views = { ...state.views, stability: value };
     return null;
   },
   'view.plane': (reading, value) => {

@@ -31,7 +31,7 @@ export function drawMapLegend(context, { left, right, middle }, { coloring, limi
   if (coloring === 'stable') {
     let from = left;
     for (const isStable of [1, 0]) {
-      const text = voice.say(isStable ? 'stability.stable' : 'stability.unstable');
+      const text = voice.say(isStable ? 'stability.legend.stable' : 'stability.legend.unstable');
       const swatch = box(from, 1.8 * size);
       if (swatch.right + 0.5 * size + context.measureText(text).width > right) return;
       fill(context, swatch, written(color(isStable)));
@@ -70,6 +70,13 @@ export function drawMapLegend(context, { left, right, middle }, { coloring, limi
   }
   outline(context, bar, theme);
   write(context, numbers[1], bar.right + 0.5 * size, middle, theme);
+  if (isRate) return;
+  const idle = box(bar.right + after + 1.7 * size, 1.8 * size);
+  const text = voice.say('stability.legend.idle');
+  if (idle.right + 0.5 * size + context.measureText(text).width > right) return;
+  fill(context, idle, written(color(0)));
+  outline(context, idle, theme);
+  write(context, text, idle.right + 0.5 * size, middle, theme);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Box} box @param {string} color */

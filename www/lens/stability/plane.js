@@ -12,7 +12,7 @@ import { becomesInTheory, lowerName, plainSymbol, valueInWords } from './say.js'
  * @typedef {import('../../style/theme.js').Theme} Theme
  * @typedef {import('../../words/voice.js').Voice} Voice
  * @typedef {import('./plane-map.js').Looked} Looked
- * @typedef {import('./settings.js').Plane} Plane
+ * @typedef {import('./settings.js').Plane} Chosen
  */
 
 /** A press that moves no further than this is a click, in px. */
@@ -22,7 +22,7 @@ const widestClick = 4;
  * The plane with the gear as a point in it, which mouse, finger and arrow keys move; a click elsewhere in the plane brings
  * it there. The mouse reads where it is. Commands: `point` with both values, `settle` at the end of a gesture, `toggle`.
  */
-export class PlaneView extends LitElement {
+export class Plane extends LitElement {
   static properties = { voice: { attribute: false }, quantities: { attribute: false }, plane: { attribute: false }, isVeiled: { attribute: false }, label: {}, spoken: { state: true } };
 
   /** @type {Scene | null} */ #scene = null;
@@ -42,7 +42,7 @@ export class PlaneView extends LitElement {
     super();
     /** @type {Voice | null} */ this.voice = null;
     /** @type {Quantity[]} */ this.quantities = [];
-    /** @type {Plane | null} */ this.plane = null;
+    /** @type {Chosen | null} */ this.plane = null;
     /** Whether what would tell the future is hidden. */ this.isVeiled = false;
     /** What the picture is, for those who do not see it. */ this.label = '';
     /** What the point says of itself. */ this.spoken = '';
@@ -295,4 +295,4 @@ function placeOf(event, element) {
   return { x: event.clientX - left, y: event.clientY - top };
 }
 
-customElements.define('shimmy-plane', PlaneView);
+customElements.define('shimmy-plane', Plane);

@@ -1,6 +1,7 @@
 /**
  * What the lens *Stability* shows, as the state and a link keep it: readable, in SI units.
  *
+ *     view.stability=locus                                             which view
  *     view.plane=velocity:0.5:100,dampingConstant:0:100,growthRate     to the right, upward, color
  *     view.locus=velocity:0.5:100,casterLength:0:0.5:6                 what is swept, and six values of another
  *
@@ -10,6 +11,9 @@
  * @typedef {{ sweep: Range, family: (Range & { count: number }) | null }} Locus
  * @typedef {{ name: string, min: number, max: number }} Parameter of the engine's table
  */
+
+/** The views, the first is the usual one; what each is stands in views.js. */
+export const viewNames = /** @type {const} */ (['plane', 'roots', 'locus']);
 
 export const colorings = /** @type {const} */ (['growthRate', 'stable', 'frequency']);
 

@@ -7,7 +7,10 @@
 
 /** How long it is watched, in s: the first of these that holds some cycles. */
 const durations = [0.05, 0.1, 0.2, 0.5, 1, 2, 5];
-const leastCycles = 8;
+const cycles = 8;
+/** A swing that grows is watched until it is so many times its start, for some cycles at least. */
+const seen = 4.5;
+const fewestCycles = 3;
 const samplesPerCycle = 40;
 const mostSamples = 1200;
 /** What of it tells the amplitude: after the start, when only the leading root is left. */
@@ -21,7 +24,8 @@ const circle = 2 * Math.PI;
 export function smallSwing(linear, roots) {
   const [{ re: growthRate }] = roots;
   const beat = Math.max(...roots.map(({ im }) => im)) / circle;
-  const wanted = beat > 0 ? leastCycles / beat : 3 / Math.abs(growthRate || 1);
+  const fitting = growthRate > 0 ? Math.log(seen) / growthRate : Infinity;
+  const wanted = beat > 0 ? Math.min(Math.max(fitting, fewestCycles / beat), cycles / beat) : 3 / Math.abs(growthRate || 1);
   const duration = durations.find((one) => one >= wanted) ?? durations[durations.length - 1];
   const samples = Math.min(mostSamples, Math.max(200, Math.ceil(duration * beat * samplesPerCycle)));
   const { time, angle } = linear.smallSwing(duration, samples);

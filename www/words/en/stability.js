@@ -11,6 +11,9 @@ export const stability = {
   'stability.stable.linear': 'linear theory: stable',
   'stability.unstable.linear': 'linear theory: unstable',
   'stability.divergence.linear': 'linear theory: turns aside',
+  'stability.legend.stable': 'stable',
+  'stability.legend.unstable': 'unstable',
+  'stability.legend.idle': 'no swing',
   'stability.perSecond': 's⁻¹',
 
   'stability.reading': '{x}, {y}: {what}',

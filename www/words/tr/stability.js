@@ -11,6 +11,9 @@ export const stability = {
   'stability.stable.linear': 'doğrusal teori: kararlı',
   'stability.unstable.linear': 'doğrusal teori: kararsız',
   'stability.divergence.linear': 'doğrusal teori: yana dönüyor',
+  'stability.legend.stable': 'kararlı',
+  'stability.legend.unstable': 'kararsız',
+  'stability.legend.idle': 'salınım yok',
   'stability.perSecond': 's⁻¹',
 
   'stability.reading': '{x}, {y}: {what}',

@@ -1,0 +1,111 @@
+import { html } from 'lit';
+import { planeChoices } from './choices.js';
+import './plane.js';
+import { PlaneMap } from './plane-map.js';
+import { RootsAndSwing } from './roots-and-swing.js';
+import { lowerName, rangeInWords } from './say.js';
+import { planeOf } from './settings.js';
+
+/**
+ * @typedef {import('../../run/scene.js').Scene} Scene
+ * @typedef {import('./views.js').View} View
+ * @typedef {import('../../words/voice.js').Voice} Voice
+ */
+
+/** A coarse map is refined once nothing has changed for so many frames. */
+const patience = 2;
+
+/** The plane, and beneath it the roots and the swing of its point. @implements {View} */
+export class PlaneView {
+  #lens;
+  #roots;
+  #map = new PlaneMap();
+  /** How much of the plane is stable, in per cent. @type {number | null} */ #share = null;
+  /** The map that waits to be refined, for how many frames more, and the frame asked for. */
+  #waiting = { map: /** @type {unknown} */ (null), frames: 0, frame: 0 };
+  /** @type {{ text: string, quantities: unknown, plane: import('./settings.js').Plane } | null} */ #read = null;
+
+  /** @param {import('../stability.js').StabilityLens} lens */
+  constructor(lens) {
+    this.#lens = lens;
+    this.#roots = new RootsAndSwing(lens);
+  }
+
+  /** As the settings have it, the same as long as they are. */
+  get #plane() {
+    const { settings, quantities } = this.#lens;
+    const { plane: text = '' } = settings;
+    if (this.#read?.text !== text || this.#read.quantities !== quantities)
+      this.#read = { text, quantities, plane: planeOf(text, quantities.map(({ parameter }) => parameter)) };
+    return this.#read.plane;
+  }
+
+  /** @type {View['template']} */
+  template(voice) {
+    const { quantities, isVeiled } = this.#lens;
+    return html`
+      ${planeChoices(this.#lens, this.#plane, quantities, voice)}
+      <shimmy-plane .voice=${voice} .quantities=${quantities} .plane=${this.#plane} .isVeiled=${isVeiled} .label=${this.#label(voice)}></shimmy-plane>
+      ${this.#roots.template(voice)}`;
+  }
+
+  /** @type {View['line']} */
+  line(voice) {
+    return html`<p class="share">${this.#lens.isVeiled ? '' : this.#shareInWords(voice)}</p>`;
+  }
+
+  stale() {
+    this.#roots.stale();
+  }
+
+  /** @type {View['draw']} */
+  draw(scene) {
+    this.#drawPlane(scene);
+    this.#roots.draw(scene);
+  }
+
+  /** @param {Scene} scene */
+  #drawPlane(scene) {
+    const lens = this.#lens;
+    const element = /** @type {import('./plane.js').Plane | null} */ (lens.querySelector('shimmy-plane'));
+    if (!element || !lens.theme) return;
+    const looked = lens.isVeiled ? null : this.#map.look(scene, this.#plane);
+    element.draw(scene, looked, lens.theme);
+    const share = looked?.share ?? null;
+    if (share !== this.#share) {
+      this.#share = share;
+      lens.requestUpdate();
+    }
+    if (!looked?.isCoarse || looked === this.#waiting.map) return;
+    this.#waiting.map = looked;
+    this.#waiting.frames = patience;
+    this.#waiting.frame ||= requestAnimationFrame(this.#refineSoon);
+  }
+
+  #refineSoon = () => {
+    const waiting = this.#waiting;
+    waiting.frames--;
+    waiting.frame = waiting.frames > 0 && this.#lens.isConnected ? requestAnimationFrame(this.#refineSoon) : 0;
+    if (waiting.frame || !this.#lens.isConnected) return;
+    this.#map.refine();
+    if (this.#lens.scene) this.#drawPlane(this.#lens.scene);
+  };
+
+  /** @param {Voice} voice */
+  #shareInWords(voice) {
+    const { x, y } = this.#plane;
+    const [across, up] = [this.#lens.quantity(x.parameter), this.#lens.quantity(y.parameter)];
+    if (this.#share === null || !across || !up) return voice.say('stability.none');
+    const share = voice.say('stability.share', { share: voice.number(this.#share, 1), x: rangeInWords(across, x, voice), y: rangeInWords(up, y, voice) });
+    return this.#lens.isGapped ? voice.say('stability.share.gap', { share }) : share;
+  }
+
+  /** @param {Voice} voice */
+  #label(voice) {
+    const { x, y } = this.#plane;
+    const [across, up] = [this.#lens.quantity(x.parameter), this.#lens.quantity(y.parameter)];
+    if (!across || !up) return '';
+    const names = { across: lowerName(across, voice), up: lowerName(up, voice) };
+    return this.#lens.isVeiled ? voice.say('stability.name.veiled', names) : voice.say('stability.name', { ...names, share: this.#shareInWords(voice) });
+  }
+}
