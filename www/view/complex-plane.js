@@ -21,6 +21,9 @@ const dampingRatios = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7];
 const nearestRays = 4;
 const circle = 2 * Math.PI;
 
+/** What the upward axis is called. @type {import('./text.js').Run[]} */
+export const imaginaryName = [{ text: 'Im ' }, { symbol: 's' }, { text: ', rad/s' }];
+
 /**
  * Draws what is behind roots, and tells where they go.
  * @param {CanvasRenderingContext2D} context
@@ -43,7 +46,7 @@ export function drawComplexPlane(context, size, { left, right, top }, theme, voi
   if (!veiled) drawHatch(context, hatchOf(zero, () => true, theme), theme);
   drawAxes(context, frame,
     { ...x, name: (isShort) => [{ text: 'Re ' }, { symbol: 's' }, { text: isShort ? `, ${voice.say('stability.perSecond')}` : ` ${voice.say('roots.re')}, ${voice.say('stability.perSecond')}` }] },
-    { ...y, name: () => [{ text: 'Im ' }, { symbol: 's' }, { text: ', rad/s' }] }, theme, { up: 'above' });
+    { ...y, name: () => imaginaryName }, theme, { up: 'above' });
   context.save();
   context.beginPath();
   context.rect(frame.left, frame.top, width, height);

@@ -1,7 +1,7 @@
-import { drawComplexPlane } from './complex-plane.js';
+import { drawComplexPlane, imaginaryName } from './complex-plane.js';
 import { drawCross } from './roots.js';
 import { colorsOf, written } from './map-colors.js';
-import { textFont } from './text.js';
+import { textFont, widthOfLabel } from './text.js';
 import { drawVeil } from './veil.js';
 
 /**
@@ -82,14 +82,19 @@ function nameWays(context, ways, { frame, x, y }, theme) {
   context.lineJoin = 'round';
   context.lineWidth = 4;
   const ends = ways.flatMap(({ label, paths }) => {
-    const seen = paths.map((path) => path.findLast(({ re, im }) => im > 0 && x(re) > frame.left && x(re) < frame.right && y(im) > frame.top))
-      .filter((root) => root !== undefined);
-    const end = seen.reduce((most, root) => (root.im > (most?.im ?? 0) ? root : most), seen[0]);
-    return label && end ? [{ label, x: x(end.re), y: y(end.im) }] : [];
+    const isSeen = (/** @type {Root} */ { re, im }) => im > 0 && x(re) > frame.left && x(re) < frame.right && y(im) > frame.top;
+    const ends = paths.flatMap((path) => {
+      const last = path.findLastIndex(isSeen);
+      return last > 0 ? [{ at: path[last], before: path[last - 1] }] : [];
+    });
+    const end = ends.reduce((most, one) => (one.at.im > most.at.im ? one : most), ends[0]);
+    // Onward from where the way ends, so that it does not run through its name.
+    return label && end ? [{ label, x: x(end.at.re), y: y(end.at.im), isLeftward: end.at.re < end.before.re }] : [];
   }).sort((one, other) => one.y - other.y);
   let lowest = -Infinity;
-  for (const { label, x: across, y: up } of ends) {
-    const isRight = across < frame.right - context.measureText(label).width - theme.size;
+  for (const { label, x: across, y: up, isLeftward } of ends) {
+    const width = context.measureText(label).width + theme.size;
+    const isRight = isLeftward ? across - width < frame.left : across + width < frame.right;
     const middle = Math.max(up, lowest + 1.25 * theme.size);
     lowest = middle;
     context.textAlign = isRight ? 'left' : 'right';
@@ -104,8 +109,11 @@ function nameWays(context, ways, { frame, x, y }, theme) {
 /** What the colors mean, in the fixed corner. @param {CanvasRenderingContext2D} context @param {import('./axes.js').Box} frame @param {Shown['sweep']} sweep @param {(share: number) => Color} colorOf @param {Theme} theme */
 function drawLegend(context, frame, { symbol, from, to }, colorOf, theme) {
   const { size } = theme;
-  const [width, middle] = [6 * size, frame.top - 1.1 * size];
+  const middle = frame.top - 1.1 * size;
+  const name = widthOfLabel(context, imaginaryName, theme, 600);
   context.font = textFont(theme, 1);
+  const room = frame.right - frame.left - name - 4 * size - context.measureText(from + to + symbol).width;
+  const width = Math.max(0, Math.min(6 * size, room));
   const end = frame.right - context.measureText(to).width - 0.5 * size;
   for (let i = 0; i < pieces; i++) {
     context.fillStyle = pieceColor(i, colorOf);

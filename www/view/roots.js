@@ -1,4 +1,4 @@
-import { drawComplexPlane } from './complex-plane.js';
+import { drawComplexPlane, imaginaryName } from './complex-plane.js';
 import { writeCornerReading } from './corner-reading.js';
 import { textFont, widthOfLabel } from './text.js';
 import { drawVeil } from './veil.js';
@@ -47,7 +47,7 @@ export function drawRoots(context, size, { roots, trail, crossing, readings, lim
     if (root.re < limits.left || root.re > limits.right || root.im > limits.top) markBeyond(context, root, places, theme, voice);
     else drawCross(context, x(root.re), y(root.im), root.re > 0 ? theme.unstable : theme.stable, theme);
   }
-  const name = widthOfLabel(context, [{ text: 'Im ' }, { symbol: 's' }, { text: ', rad/s' }], theme, 600);
+  const name = widthOfLabel(context, imaginaryName, theme, 600);
   writeCornerReading(context, readings, frame, frame.right - frame.left - name - theme.size, theme);
 }
 
