@@ -14,7 +14,7 @@ import { viewCommands } from './commands/view.js';
 import { recall } from './keep.js';
 import { lenses } from './lens/lenses.js';
 import { noteOn } from './link/note.js';
-import { readLink, strangersIn } from './link/read.js';
+import { readLink, storyIn, strangersIn } from './link/read.js';
 import { writeLink } from './link/write.js';
 import { openingObject, openingParameters, openingRun } from './opening.js';
 import { settlingTime } from './run/fit.js';
@@ -189,22 +189,22 @@ export class App {
   openLink(text) {
     const { engine, session } = this;
     if (!engine || (session && text === this.link)) return false;
+    // As the page opens, an address that says nothing of use is followed by what the browser keeps: both may have notes.
+    const before = session ? [] : this.notes;
     const read = readLink(text, this.models, (run) => this.#accepts(run));
     if (!read) {
       const note = noteOn(strangersIn(text), this.voice);
-      if (note) this.notes = [note];
+      if (note) this.notes = [...before, note];
       return false;
     }
     // A damaged link without a start would open on a wheel at rest, and say nothing of why.
     const isBare = read.problems.length > 0 && Object.keys(read.state.run.initial).length === 0;
     const run = isBare ? openingRun : read.state.run;
-    const { object, parameters, links, story } = read.state;
-    if (story && !this.stories.some(({ name, isReady }) => name === story.name && isReady)) {
-      read.state.story = null;
-      read.problems.push({ key: 'story', value: story.name, reason: 'unknown-story' });
-    }
+    const { object, parameters, links } = read.state;
+    const { story, problem } = storyIn(read.state.story, this.stories);
+    if (problem) read.problems.push(problem);
     const holding = linksThatHold(engine, object, parameters);
-    const change = { ...read.state, run, links: Object.fromEntries(Object.keys(holding).map((name) => [name, holding[name] && links[name] !== false])) };
+    const change = { ...read.state, story, run, links: Object.fromEntries(Object.keys(holding).map((name) => [name, holding[name] && links[name] !== false])) };
     if (session) {
       this.commands.release();
       leave(this);
@@ -215,7 +215,7 @@ export class App {
     if (this.isVeiled) this.clock.pause();
     const note = noteOn(read.problems, this.voice);
     if (note && isBare) note.text += ` ${this.voice.say('link.start')}`;
-    this.notes = note ? [note] : [];
+    this.notes = note ? [...before, note] : before;
     return true;
   }
 

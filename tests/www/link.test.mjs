@@ -1,7 +1,7 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { noteOn } from '../../www/link/note.js';
-import { readLink, strangersIn } from '../../www/link/read.js';
+import { readLink, storyIn, strangersIn } from '../../www/link/read.js';
 import { writeLink } from '../../www/link/write.js';
 import { voiceOf } from '../../www/words/voice.js';
 
@@ -89,6 +89,33 @@ test('a damaged record is left out, part by part', () => {
     'ghost unclear', 'ghost unclear', 'view.phase unclear', 'story unclear', 'clock unknown', 'free unclear']);
   assert.deepEqual(read?.state.run.changes, [{ time: 0.5, kick: 3 }]);
   assert.equal(read?.state.run.time, 0.5);
+});
+
+test('what is shown can be shown so, or the link says that it cannot', () => {
+  for (const good of ['phase=orbit', 'phase=orbit,-120,45', 'phase=spectrum-log', 'forces=aligningMoment', 'timeline=torsionRate', 'magnification=20', 'stability=locus', 'plane=velocity:0.5:100,dampingConstant:0:100,frequency', 'cycles=anything'])
+    assert.deepEqual(readLink(`#shimmy=2&view.${good}`, models, accepts)?.problems, [], good);
+  for (const [bad, reason] of /** @type {const} */ ([
+    ['phase=orbt', 'unclear'], ['phase=orbit,left,up', 'unclear'], ['phase=orbit,900,20', 'unclear'], ['phase=portrait,1,2', 'unclear'],
+    ['forces=drag', 'unclear'], ['compare=all', 'unclear'], ['stability=v,c', 'unclear'], ['plane=velocity:0:1', 'unclear'], ['timeline=mood', 'unclear'], ['magnification=3', 'unclear'], ['magnification=1e1', 'unclear'],
+    ['magnification=-5', 'unclear'], ['color=red', 'unknown'], ['toString=1', 'unknown'],
+  ])) {
+    const read = readLink(`#shimmy=2&view.${bad}`, models, accepts);
+    assert.deepEqual(read?.problems.map((problem) => problem.reason), [reason], bad);
+    assert.deepEqual(read?.state.views, {}, bad);
+    const key = bad.split('=')[0];
+    for (const language of /** @type {const} */ (['en', 'tr'])) assert.ok(noteOn(read?.problems ?? [], voiceOf(language))?.text.includes(`view.${key}`));
+  }
+});
+
+test('a story that is not known is left out, one that ends earlier is at its end, and both are said', () => {
+  const stories = [{ name: 'cure', isReady: true, steps: [1, 2, 3, 4] }, { name: 'later', isReady: false, steps: [1] }];
+  assert.deepEqual(storyIn(null, stories), { story: null, problem: null });
+  assert.deepEqual(storyIn({ name: 'cure', step: 3 }, stories), { story: { name: 'cure', step: 3 }, problem: null });
+  for (const name of ['cures', 'later'])
+    assert.deepEqual(storyIn({ name, step: 0 }, stories), { story: null, problem: { key: 'story', value: name, reason: 'unknown-story' } });
+  const beyond = storyIn({ name: 'cure', step: 4 }, stories);
+  assert.deepEqual(beyond, { story: { name: 'cure', step: 3 }, problem: { key: 'story', value: 'cure,4', reason: 'story-ends' } });
+  assert.equal(noteOn(beyond.problem ? [beyond.problem] : [], voiceOf('en'))?.text, 'Not all of the link could be read: story cure,4 (ends before, so it is at its end).');
 });
 
 test('a link of version 1 opens as it did', () => {

@@ -21,10 +21,6 @@ export class ForcesLens extends PlotLens {
   /** Axes are kept as long as the scales of the session are. */
   #limits = { for: /** @type {unknown} */ (null), object: '', slipAngle: 0, torsionAngle: 0, sideForce: 0, aligningMoment: 0, restoringMoment: 0 };
 
-  get views() {
-    return ['all', ...all];
-  }
-
   /** @param {string} name @param {Voice} voice */
   nameOfView(name, voice) {
     return voice.say(/** @type {import('../words/voice.js').Key} */ (`forces.view.${name}`));

@@ -30,10 +30,6 @@ export class PhaseLens extends PlotLens {
   /** How the orbit is looked at while a hand turns it. @type {Look | null} */ #turning = null;
   /** @type {{ x: number, y: number } | null} */ #grip = null;
 
-  get views() {
-    return ['portrait', 'deformation', 'orbit', 'spectrum', 'spectrum-log'];
-  }
-
   /** @param {string} name @param {Voice} voice */
   nameOfView(name, voice) {
     return voice.say(/** @type {import('../words/voice.js').Key} */ (`phase.view.${name}`));

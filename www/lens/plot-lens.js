@@ -3,6 +3,7 @@ import { tell } from '../command.js';
 import '../view/canvas.js';
 import { ghostLabel } from '../stage/ghost-label.js';
 import { mannerOf } from '../stage/manner.js';
+import { viewsOfLens } from './views.js';
 
 /**
  * @typedef {import('../controls/quantity.js').Quantity} Quantity
@@ -42,7 +43,12 @@ export class PlotLens extends LitElement {
 
   /** Names of its views, the first is the usual one. @type {readonly string[]} */
   get views() {
-    return [];
+    return viewsOfLens[this.#name] ?? [];
+  }
+
+  /** As the list of lenses has it. */
+  get #name() {
+    return this.localName.replace(/^shimmy-|-lens$/g, '');
   }
 
   /** The view shown. */
@@ -119,7 +125,7 @@ export class PlotLens extends LitElement {
   #choice(voice) {
     const { views, view } = this;
     if (views.length < 2) return '';
-    const lens = this.localName.replace(/^shimmy-|-lens$/g, '');
+    const lens = this.#name;
     return html`
       <select class="framed views" aria-label=${voice.say('lens.view')} .value=${view}
         @change=${(/** @type {Event} */ event) => tell(this, 'view', { of: lens, shows: /** @type {HTMLSelectElement} */ (event.target).value })}>

@@ -6,7 +6,7 @@
  * @typedef {import('../run/live-run.js').Change} Change
  * @typedef {import('./pen.js').Drawn} Drawn
  * @typedef {import('./write.js').Table} Table
- * @typedef {{ key: string, value: string, reason: 'unknown' | 'not-a-number' | 'too-large' | 'refused' | 'newer' | 'version' | 'missing' | 'twice' | 'unclear' | 'unknown-story', instead?: number }} Problem
+ * @typedef {{ key: string, value: string, reason: 'unknown' | 'not-a-number' | 'too-large' | 'refused' | 'newer' | 'version' | 'missing' | 'twice' | 'unclear' | 'unknown-story' | 'story-ends', instead?: number }} Problem
  * @typedef {Pick<State, 'object' | 'parameters' | 'run' | 'links' | 'ghosts' | 'clock' | 'lens' | 'views' | 'story' | 'predict' | 'isBig'> & { velocityUnit?: State['velocityUnit'] }} Linked
  *   an address that names no unit leaves the speed in the reader's own
  * @typedef {(run: { model: string, parameters: Record<string, number>, initial: Record<string, number> }) => boolean} Accepts
@@ -16,7 +16,9 @@
 
 import { isVelocityUnit } from '../controls/unit.js';
 import { lenses } from '../lens/lenses.js';
-import { readLocus, readPlane, viewNames } from '../lens/stability/settings.js';
+import { readLocus, readPlane } from '../lens/stability/settings.js';
+import { hasView } from '../lens/views.js';
+import { magnifications } from '../run/fit.js';
 import { mostGhosts } from '../run/ghosts.js';
 import { slowRates } from '../run/rate.js';
 import { mostStrokes, strokeOf } from './pen.js';
@@ -149,11 +151,6 @@ export const readers = {
     state.velocityUnit = value;
     return null;
   },
-  'view.stability': ({ state }, value) => {
-    if (!viewNames.some((name) => name === value)) return 'unclear';
-    state.views = { ...state.views, stability: value };
-    return null;
-  },
   'view.plane': (reading, value) => {
     const plane = readPlane(value, reading.table.parameters);
     return plane ? looked(reading, 'plane', value, [plane.x, plane.y]) : 'unclear';
@@ -187,6 +184,29 @@ export const readers = {
   },
 };
 
+/** What besides the lenses can be shown otherwise, and whether it can be so. @type {Readonly<Record<string, (value: string, table: Table) => boolean>>} */
+const viewed = {
+  timeline: (value, { state }) => state.some(({ name }) => name === value),
+  magnification: (value) => magnifications.some((factor) => String(factor) === value),
+};
+
+/**
+ * What a link says of a story, held against the stories there are: one that is not known is left out, one that ends
+ * earlier is at its end.
+ * @param {State['story']} story
+ * @param {readonly { name: string, isReady: boolean, steps: readonly unknown[] }[]} stories
+ * @returns {{ story: State['story'], problem: Problem | null }}
+ */
+export function storyIn(story, stories) {
+  if (!story) return { story, problem: null };
+  const { name, step } = story;
+  const known = stories.find((one) => one.name === name && one.isReady);
+  if (!known) return { story: null, problem: { key: 'story', value: name, reason: 'unknown-story' } };
+  const last = known.steps.length - 1;
+  if (step <= last) return { story, problem: null };
+  return { story: { name, step: last }, problem: { key: 'story', value: `${name},${step}`, reason: 'story-ends' } };
+}
+
 /**
  * What is seen over ranges of parameters, whose ends the engine must take.
  * @param {Reading} reading @param {string} of @param {string} value @param {{ parameter: string, from: number, to: number }[]} ranges
@@ -210,8 +230,11 @@ function readPair(reading, key, value) {
   const { state, run, table } = reading;
   if (Object.hasOwn(readers, key)) return readers[key](reading, value);
   if (/^view\.[\w-]+$/.test(key)) {
-    if (!/^[\w.,-]{1,60}$/.test(value)) return 'unclear';
-    state.views = { ...state.views, [key.slice(5)]: value };
+    const of = key.slice(5);
+    const isShown = (Object.hasOwn(viewed, of) && viewed[of]) || (lenses.some(({ name }) => name === of) ? () => hasView(of, value) : null);
+    if (!isShown) return 'unknown';
+    if (!/^[\w.,-]{1,60}$/.test(value) || !isShown(value, table)) return 'unclear';
+    state.views = { ...state.views, [of]: value };
     return null;
   }
   const [, prefix, name] = key.match(/^(was\.|initial\.)?(.*)$/) ?? [];

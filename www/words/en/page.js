@@ -47,6 +47,7 @@ export const page = {
   'link.missing': '{key}={value} (missing)',
   'link.unknown': '{key} (unknown)',
   'link.unknown-story': 'story {value} (unknown)',
+  'link.story-ends': 'story {value} (ends before, so it is at its end)',
   'link.not-a-number': '{key} = {value} (not a number)',
   'link.refused': '{key} = {value} (not allowed)',
   'link.unclear': '{key} = {value} (not understood)',

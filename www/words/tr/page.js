@@ -47,6 +47,7 @@ export const page = {
   'link.missing': '{key}={value} (eksik)',
   'link.unknown': '{key} (bilinmiyor)',
   'link.unknown-story': '{value} öyküsü (bilinmiyor)',
+  'link.story-ends': '{value} öyküsü (daha önce bitiyor, sonundan açıldı)',
   'link.not-a-number': '{key} = {value} (sayı değil)',
   'link.refused': '{key} = {value} (izin verilmez)',
   'link.unclear': '{key} = {value} (anlaşılmadı)',
