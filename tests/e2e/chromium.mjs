@@ -1,13 +1,47 @@
 // The page in the system's Chromium, watched: what it logs, what it throws, what it asks the network for.
 
 import assert from 'node:assert/strict';
+import { after, before } from 'node:test';
 import { chromium } from 'playwright-core';
 import { chromiumArguments } from '../../scripts/setup/webdriver.mjs';
+import { serve } from './site.mjs';
 
+/** @typedef {import('playwright-core').Browser} Browser */
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {import('playwright-core').BrowserContextOptions} Options */
 
-/** @returns {Promise<import('playwright-core').Browser>} */
+/**
+ * A browser for the tests of a file, and what serves them the page: started before the first of them, ended after the last.
+ * @param {() => Promise<{ address: string, close: () => unknown } | null>} [start] dist/ unless said; null where tests serve themselves
+ */
+export function withPage(start = serve) {
+  /** @type {Browser} */
+  let browser;
+  /** @type {Awaited<ReturnType<typeof start>>} */
+  let server = null;
+  before(async () => {
+    server = await start();
+    browser = await launch();
+  });
+  after(async () => {
+    await browser.close();
+    await server?.close();
+  });
+  return {
+    get browser() {
+      return browser;
+    },
+    get address() {
+      return server?.address ?? '';
+    },
+    /** Opens the page with a link of its own. @param {string} [link] @param {Options} [options] @param {(page: Page) => Promise<void>} [prepare] */
+    open: (link = '', options, prepare) => open(browser, (server?.address ?? '') + link, options, prepare),
+    /** Opens another address. @param {string} address @param {Options} [options] @param {(page: Page) => Promise<void>} [prepare] */
+    openAt: (address, options, prepare) => open(browser, address, options, prepare),
+  };
+}
+
+/** @returns {Promise<Browser>} */
 export function launch() {
   return chromium.launch({ executablePath: process.env.SHIMMY_CHROMIUM ?? '/usr/bin/chromium', args: chromiumArguments() });
 }
@@ -15,7 +49,7 @@ export function launch() {
 /**
  * Opens an address in a fresh profile, the only one of this browser: a visit that a failed test did not end would go on
  * drawing and slow down the next.
- * @param {import('playwright-core').Browser} browser
+ * @param {Browser} browser
  * @param {string} address
  * @param {Options} [options]
  * @param {(page: Page) => Promise<void>} [prepare] before the address is opened

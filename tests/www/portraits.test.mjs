@@ -2,7 +2,11 @@ import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { drawDeformationPortrait } from '../../www/view/deformation-portrait.js';
 import { drawPhasePortrait } from '../../www/view/phase-portrait.js';
+import { ghostDash } from '../../www/stage/gear/ghost.js';
 import { freeCorner } from '../../www/view/corner.js';
+import { firstLook } from '../../www/view/look.js';
+import { drawOrbit } from '../../www/view/orbit.js';
+import { ghostDashes } from '../../www/view/strokes.js';
 import { voiceOf } from '../../www/words/voice.js';
 import { numbersOf, recordingContext, written } from './plot-recorder.mjs';
 import { theme } from './theme.mjs';
@@ -74,6 +78,23 @@ test('a ghost is dashed, closed where it is a cycle, and named', () => {
     const open = drawn(draw, { ghosts: [{ label: 'c = 60', trail: cycle(4 * degree) }] });
     assert.equal(open.named('closePath').filter(({ style }) => style.strokeStyle === theme.ghost && style.dash.length > 0).length, 0);
   }
+});
+
+test('each of four ghosts has dashes of its own, the same at its curve, at its name and on the gear', () => {
+  const ghosts = [12, 16, 8, 6].map((angle) => ghost(angle, `ψ = ${angle}°`));
+  for (const draw of [drawPhasePortrait, drawDeformationPortrait, drawOrbit]) {
+    const { named } = drawn(/** @type {typeof drawPhasePortrait} */ (draw), { ghosts, look: firstLook });
+    const dashes = named('stroke').filter(({ style }) => style.strokeStyle === theme.ghost && style.dash.length > 0).map(({ style }) => style.dash.join());
+    assert.deepEqual([...new Set(dashes)], ghostDashes.map((dash) => dash.join()));
+    for (const dash of new Set(dashes)) assert.ok(dashes.filter((one) => one === dash).length >= 2, 'at the curve and at the name');
+  }
+  assert.deepEqual(ghostDashes.map((_, i) => ghostDash(/** @type {import('../../www/stage/gear/sheet.js').Sheet} */ ({ line: 1 }), i)), ghostDashes);
+});
+
+test('a ghost’s name too long for a phone leaves out what becomes of it', () => {
+  const { named } = drawn(drawPhasePortrait, { ghosts: [ghost(12, 'e = 0.1 m, c = 5000, and more (creeps to rest)')] }, { width: 390, height: 280 });
+  const words = written(named('fillText'));
+  assert.ok(words.includes('ghost: e = 0.1 m, c = 5000, and more'), words.join(' | '));
 });
 
 test('several ghosts are told apart by numbers at their curves and names', () => {

@@ -7,6 +7,7 @@ import { PlotLens } from './plot-lens.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
+ * @typedef {import('../view/compare-table.js').Compared} Compared
  * @typedef {import('../words/voice.js').Voice} Voice
  */
 
@@ -37,18 +38,20 @@ export class CompareLens extends PlotLens {
   plot(voice) {
     return html`
       ${super.plot(voice)}
-      <shimmy-compare-table .voice=${voice} .rows=${this.#rows(voice)} ?veiled=${this.isVeiled}
+      <shimmy-compare-table .voice=${voice} .rows=${this.#rows(voice)}
         @pin=${() => tell(this, 'pin')} @unpin=${(/** @type {CustomEvent} */ event) => tell(this, 'unpin', event.detail)}></shimmy-compare-table>`;
   }
 
-  /** The run first, then the ghosts. @param {Voice} voice @returns {import('../view/compare-table.js').Compared[]} */
+  /** The run first, then the ghosts, as soon as they have been looked at. @param {Voice} voice @returns {Compared[]} */
   #rows(voice) {
-    const { outlook, energy, ghosts, scene } = this;
-    if (!outlook || !scene) return [];
-    const numbersOf = (/** @type {Outlook} */ goal) =>
-      ({ manner: mannerOf(goal), amplitude: goal.amplitude.torsionAngle, frequency: goal.frequency ?? goal.present.frequency });
-    return [{ changes: [], ...numbersOf(outlook), energy }, ...ghosts.flatMap((ghost) => (ghost.outlook
-      ? [{ changes: this.#changes(ghost.live.parameters, scene.parameters, voice), ...numbersOf(ghost.outlook), energy: ghost.energy }] : []))];
+    const { outlook, energy, ghosts, scene, isVeiled } = this;
+    if (!scene || (!outlook && !isVeiled)) return [];
+    const runs = [
+      { changes: [], goal: outlook, exchanged: energy },
+      ...ghosts.map((ghost) => ({ changes: this.#changes(ghost.live.parameters, scene.parameters, voice), goal: ghost.outlook, exchanged: ghost.energy })),
+    ];
+    if (isVeiled) return runs.map(({ changes }) => ({ changes, becomes: null }));
+    return runs.flatMap(({ changes, goal, exchanged }) => (goal ? [{ changes, becomes: becomesOf(goal, exchanged) }] : []));
   }
 
   /** @param {Readonly<Record<string, number>>} values @param {Readonly<Record<string, number>>} others @param {Voice} voice */
@@ -64,10 +67,15 @@ export class CompareLens extends PlotLens {
       limits: scales.limits, trail: orbitPast, orbit: outlook.orbit, orbitLabel: voice.say(`phase.heads.${mannerOf(outlook)}`), state,
       exposed: scene.exposed,
       freeplay: parameters.freeplayAngle ?? 0,
-      ghosts: scene.ghosts.map((ghost) => ({ label: this.labelOf(scene, ghost, voice), trail: ghost.orbitPast })),
+      ghosts: this.ghostsOf(scene, voice),
       veiled: this.isVeiled,
     }, theme, voice);
   }
+}
+
+/** @param {Outlook} goal @param {import('../engine/engine.js').Energy | null} energy @returns {Compared['becomes']} */
+function becomesOf(goal, energy) {
+  return { manner: mannerOf(goal), amplitude: goal.amplitude.torsionAngle, frequency: goal.frequency ?? goal.present.frequency, energy };
 }
 
 customElements.define('shimmy-compare-lens', CompareLens);

@@ -7,7 +7,7 @@ import { firstLook, turnedByDrag, turnedByKey } from '../view/look.js';
 import { drawOrbit } from '../view/orbit.js';
 import { drawPhasePortrait } from '../view/phase-portrait.js';
 import { roundStep } from '../view/scale.js';
-import { drawSpectrum } from '../view/spectrum.js';
+import { drawSpectrum, wordsOfPeak } from '../view/spectrum.js';
 import { destination } from './destination.js';
 import { PlotLens } from './plot-lens.js';
 
@@ -27,8 +27,20 @@ const harmonicsShown = 5.5;
  * frequencies; and in one line the motion it settles on.
  */
 export class PhaseLens extends PlotLens {
+  static properties = { ...PlotLens.properties, time: { attribute: false } };
+
   /** How the orbit is looked at while a hand turns it. @type {Look | null} */ #turning = null;
   /** @type {{ x: number, y: number } | null} */ #grip = null;
+
+  constructor() {
+    super();
+    /** Of the run, as it was told last, in s. */ this.time = 0;
+  }
+
+  /** Time alone changes only what is said of a spectrum. @param {Map<string, unknown>} changed */
+  shouldUpdate(changed) {
+    return changed.size > 1 || !changed.has('time') || this.view.startsWith('spectrum');
+  }
 
   /** @param {string} name @param {Voice} voice */
   nameOfView(name, voice) {
@@ -37,7 +49,9 @@ export class PhaseLens extends PlotLens {
 
   /** @param {Voice} voice */
   label(voice) {
-    return voice.say(/** @type {import('../words/voice.js').Key} */ (this.view === 'portrait' ? 'phase.name' : `phase.name.${this.view}`));
+    const name = voice.say(/** @type {import('../words/voice.js').Key} */ (this.view === 'portrait' ? 'phase.name' : `phase.name.${this.view}`));
+    const peak = this.view.startsWith('spectrum') ? this.scene?.spectrum()?.peak : null;
+    return peak ? `${name} ${voice.say('phase.peak', { peak: wordsOfPeak(peak, this.scene?.scales.limits.angle ?? 0, voice) })}` : name;
   }
 
   /** @param {Voice} voice */
@@ -70,10 +84,7 @@ export class PhaseLens extends PlotLens {
       state,
       exposed: scene.exposed,
       freeplay: parameters.freeplayAngle ?? 0,
-      ghosts: scene.ghosts.map((ghost) => ({
-        label: this.labelOf(scene, ghost, voice),
-        ...(ghost.outlook?.orbit.time.length && !this.isVeiled ? { orbit: ghost.outlook.orbit } : { trail: ghost.orbitPast }),
-      })),
+      ghosts: this.ghostsOf(scene, voice),
       veiled: this.isVeiled,
     };
     if (this.view === 'orbit') drawOrbit(context, size, { ...motion, look: this.#look }, theme, voice);

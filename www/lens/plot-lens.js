@@ -109,6 +109,14 @@ export class PlotLens extends LitElement {
     return /** @type {import('../view/canvas.js').Canvas | null} */ (this.querySelector('shimmy-canvas'));
   }
 
+  /** The ghosts of a portrait: each on the cycle it goes to, as far as that may be seen, else where it went. @param {Scene} scene @param {Voice} voice */
+  ghostsOf(scene, voice) {
+    return scene.ghosts.map((ghost) => ({
+      label: this.labelOf(scene, ghost, voice),
+      ...(ghost.outlook?.orbit.time.length && !this.isVeiled ? { orbit: ghost.outlook.orbit } : { trail: ghost.orbitPast }),
+    }));
+  }
+
   /** What sets a ghost apart, and what becomes of it. @param {Scene} scene @param {Scene['ghosts'][number]} ghost @param {Voice} voice */
   labelOf(scene, ghost, voice) {
     const apart = ghostLabel(ghost.parameters, scene.parameters, this.quantities, voice) || voice.say('compare.same');

@@ -2,29 +2,29 @@ import { LitElement, html, svg } from 'lit';
 import { symbolOf } from '../controls/symbol.js';
 import { balanceOf, energyWriter } from './energy-balance.js';
 import { quantities, valueOf } from './quantities.js';
+import { ghostDashes } from './strokes.js';
 
 /**
  * @typedef {import('./energy-balance.js').Energy} Energy
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {{ symbol: string, text: string }} Change a value that differs from the run's: `c_Fα`, `18 1/rad`
- * @typedef {{
- *   changes: Change[], manner: import('../stage/manner.js').Manner, amplitude: number, frequency: number | null, energy: Energy | null,
- * }} Compared `amplitude` in rad, `frequency` in Hz, `energy` of one cycle
+ * @typedef {{ manner: import('../stage/manner.js').Manner, amplitude: number, frequency: number | null, energy: Energy | null }} Becomes
+ *   `amplitude` in rad, `frequency` in Hz, `energy` of one cycle
+ * @typedef {{ changes: Change[], becomes: Becomes | null }} Compared `becomes`: null where it is to be guessed first, as a
+ *   ghost may be the very run
  */
 
 /**
- * The run and its ghosts in numbers: the run first, then the ghosts in the order of their numbers on the plots.
- * `veiled` hides what becomes of them until it has been guessed: a ghost may be the very run. Asks for a ghost by a `pin` event, lets one go by an
- * `unpin` event with its place among the ghosts, from 0.
+ * The run and its ghosts in numbers: the run first, then the ghosts in the order of their numbers on the plots. Asks for a
+ * ghost by a `pin` event, lets one go by an `unpin` event with its place among the ghosts, from 0.
  */
 export class CompareTable extends LitElement {
-  static properties = { rows: { attribute: false }, voice: { attribute: false }, veiled: { type: Boolean } };
+  static properties = { rows: { attribute: false }, voice: { attribute: false } };
 
   constructor() {
     super();
     /** @type {Compared[]} */ this.rows = [];
     /** @type {Voice | null} */ this.voice = null;
-    this.veiled = false;
   }
 
   createRenderRoot() {
@@ -61,9 +61,9 @@ export class CompareTable extends LitElement {
     const name = number === 0 ? voice.say('compare.now') : voice.say('compare.ghost', { number });
     return html`
       <tr>
-        <th scope="row">${sample(number > 0)}${name}</th>
+        <th scope="row">${sample(number)}${name}</th>
         <td>${number === 0 ? voice.say('compare.asSet') : changes(row.changes, voice)}</td>
-        ${this.veiled ? html`<td colspan="4" class="veil"><span aria-hidden="true">?</span><span class="only-heard">${voice.say('energy.veiled')}</span></td>` : results(row, voice)}
+        ${row.becomes ? results(row.becomes, voice) : html`<td colspan="4" class="veil"><span aria-hidden="true">?</span><span class="only-heard">${voice.say('energy.veiled')}</span></td>`}
         <td>${number === 0 ? '' : html`
           <button type="button" class="plain icon" aria-label=${voice.say('compare.unpin', { name })} title=${voice.say('compare.unpin', { name })}
             @click=${() => this.dispatchEvent(new CustomEvent('unpin', { detail: number - 1 }))}><span aria-hidden="true">×</span></button>`}</td>
@@ -71,8 +71,10 @@ export class CompareTable extends LitElement {
   }
 }
 
-/** The run's line, or a ghost's. @param {boolean} isGhost */
-const sample = (isGhost) => html`<svg viewBox="0 0 26 6" width="26" height="6" aria-hidden="true">${svg`<path class=${isGhost ? 'ghost' : 'live'} d="M0 3h26"/>`}</svg>`;
+/** The run's line, or a ghost's as the plots dash it. @param {number} number 0 for the run itself */
+const sample = (number) => html`<svg viewBox="0 0 36 6" width="36" height="6" aria-hidden="true">${number === 0
+  ? svg`<path class="live" d="M0 3h36"/>`
+  : svg`<path class="ghost" d="M0 3h36" stroke-dasharray=${ghostDashes[(number - 1) % ghostDashes.length].join(' ')} />`}</svg>`;
 
 /** @param {Change[]} list @param {Voice} voice */
 function changes(list, voice) {
@@ -80,7 +82,7 @@ function changes(list, voice) {
   return html`<ul>${list.map(({ symbol, text }) => html`<li>${symbolOf(symbol)} = ${text}</li>`)}</ul>`;
 }
 
-/** @param {Compared} row @param {Voice} voice */
+/** @param {Becomes} becomes @param {Voice} voice */
 function results({ manner, amplitude, frequency, energy }, voice) {
   const { fed, taken, whole } = balanceOf(energy);
   const write = energyWriter(whole, voice);

@@ -3,7 +3,7 @@ import { ghost as ghostStyle, inStyle } from './strokes.js';
 import { textFont } from './text.js';
 
 /**
- * Pinned runs on a plot: dashed, named in a corner, and numbered at the curve where there are several.
+ * Pinned runs on a plot: each dashed in its own way, named in a corner, and numbered at the curve where there are several.
  *
  * @typedef {import('./curve.js').Curve} Curve
  * @typedef {import('./key.js').Key} Key
@@ -22,7 +22,7 @@ import { textFont } from './text.js';
 export function keysOfGhosts(ghosts, theme, voice) {
   return ghosts.map(({ label }, i) => {
     const text = ghosts.length > 1 ? `${i + 1}: ${label}` : voice.say('plot.ghost', { label });
-    return { entry: { text, style: ghostStyle }, color: theme.ghost, weight: 600 };
+    return { entry: { text, short: text.replace(/ \([^()]*\)$/, ''), style: ghostStyle(i) }, color: theme.ghost, weight: 600 };
   });
 }
 
@@ -32,9 +32,7 @@ export function keysOfGhosts(ghosts, theme, voice) {
  * @param {Theme} theme
  */
 export function drawGhosts(context, ghosts, theme) {
-  inStyle(context, theme, ghostStyle, () => {
-    for (const { curve, isClosed } of ghosts) strokeCurve(context, curve, { isClosed });
-  });
+  ghosts.forEach(({ curve, isClosed }, i) => inStyle(context, theme, ghostStyle(i), () => strokeCurve(context, curve, { isClosed })));
   if (ghosts.length < 2) return;
   context.font = textFont(theme, 0.9, 600);
   context.textAlign = 'center';

@@ -13,7 +13,8 @@ import { drawVeil } from './veil.js';
  * @typedef {import('./curve.js').Curve} Curve
  * @typedef {import('./strokes.js').Style} Style
  * @typedef {import('../style/theme.js').Theme} Theme
- * @typedef {{ text: string, style: Style | null }} Entry without text it takes no room
+ * @typedef {{ text: string, short?: string, style: Style | null }} Entry without text it takes no room; `short` where there is too
+ *   little
  * @typedef {{ entry: Entry | 'veiled', color: string, weight?: number, isPoint?: boolean }} Key
  *   `veiled`: not to be read yet; `isPoint`: stands for hollow points, not for a line
  */
@@ -74,13 +75,20 @@ function keysAround(context, frame, keys, theme, foot) {
  */
 export function keysAbove(context, frame, keys, theme) {
   const room = frame.top + mostOfFrame * (frame.bottom - frame.top);
-  const sizes = keys.map((key) => sizeOf(context, key, theme));
+  const shown = keys.map((key) => within(context, key, frame.right - frame.left, theme));
+  const sizes = shown.map((key) => sizeOf(context, key, theme));
   const boxes = rowsOf(sizes, frame, theme).filter(({ bottom }) => bottom <= room);
   const lowest = boxes.at(-1);
   return {
     frame: lowest ? { ...frame, top: lowest.bottom + theme.size * 0.5 } : frame,
-    draw: () => boxes.forEach((box, i) => drawKey(context, keys[i], box, theme)),
+    draw: () => boxes.forEach((box, i) => drawKey(context, shown[i], box, theme)),
   };
+}
+
+/** A key in fewer words where there is not room for all. @param {CanvasRenderingContext2D} context @param {Key} key @param {number} room @param {Theme} theme @returns {Key} */
+function within(context, key, room, theme) {
+  if (key.entry === 'veiled' || key.entry.short === undefined || sizeOf(context, key, theme).width <= room) return key;
+  return { ...key, entry: { ...key.entry, text: key.entry.short } };
 }
 
 /**

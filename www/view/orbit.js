@@ -64,7 +64,7 @@ export function drawOrbit(context, size, motion, theme, voice) {
   drawGapOnFloor(context, freeplay / limits.angle, projection, theme);
   drawShadow(context, trail, theme);
   const words = drawEdges(context, projection, axes, canvas, theme);
-  for (const one of pinned) drawInDepth(context, one, ghostStyle, theme);
+  pinned.forEach((one, i) => drawInDepth(context, one, ghostStyle(i), theme));
   if (!exposed) drawDrop(context, now, projection, theme);
   drawTrailInDepth(context, trail, theme);
   drawInDepth(context, orbit, destination, theme);

@@ -124,9 +124,8 @@ function outlineGhosts(context, ghosts, x, y, { left, right, top, bottom }, them
   context.beginPath();
   context.rect(left, top, right - left, bottom - top);
   context.clip();
-  inStyle(context, theme, ghostStyle, () => {
-    for (const { time, low, high } of ghosts)
-      for (const edge of [low, high]) strokeCurve(context, curveOf(time, edge, x, y));
-  });
+  ghosts.forEach(({ time, low, high }, i) => inStyle(context, theme, ghostStyle(i), () => {
+    for (const edge of [low, high]) strokeCurve(context, curveOf(time, edge, x, y));
+  }));
   context.restore();
 }

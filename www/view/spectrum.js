@@ -82,6 +82,14 @@ function fillBelow(context, { count, x, y }, floor, theme) {
 }
 
 /**
+ * "51.9 Hz · 15.2°"
+ * @param {NonNullable<Spectrum['peak']>} peak @param {number} limit end of the axis, in rad: how exactly it is said @param {Voice} voice
+ */
+export function wordsOfPeak({ frequency, amplitude }, limit, voice) {
+  return `${voice.number(frequency, 1)} Hz · ${valueOf(quantities.amplitude, amplitude, decimalsUpTo(quantities.amplitude, limit), voice)}`;
+}
+
+/**
  * A ring on the peak, and beside it frequency and amplitude.
  * @param {CanvasRenderingContext2D} context @param {NonNullable<Spectrum['peak']>} peak @param {Shown['limits']} limits
  * @param {(v: number) => number} x @param {(v: number) => number} y @param {Box} frame @param {Theme} theme @param {Voice} voice
@@ -91,7 +99,7 @@ function namePeak(context, { frequency, amplitude }, limits, x, y, frame, theme,
   const [across, up] = [x(frequency), Math.max(y(amplitude), frame.top)];
   drawRing(context, across, up, 4.5 * Math.sqrt(theme.line), theme.psi, theme);
   /** @type {Run[]} */
-  const name = [{ text: `${voice.number(frequency, 1)} Hz · ${valueOf(quantities.amplitude, amplitude, decimalsUpTo(quantities.amplitude, limits.amplitude), voice)}` }];
+  const name = [{ text: wordsOfPeak({ frequency, amplitude }, limits.amplitude, voice) }];
   const width = widthOfLabel(context, name, theme, 600);
   const gap = theme.size * 0.8;
   const left = across + gap + width <= frame.right ? across + gap : across - gap - width;

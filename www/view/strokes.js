@@ -8,8 +8,11 @@
 /** Where the motion goes if nothing changes: dotted, in ink. @type {Style} */
 export const destination = (context, theme) => set(context, theme.ink, 1.4, [1.5, 4], theme);
 
-/** A run that was pinned: dashed. @type {Style} */
-export const ghost = (context, theme) => set(context, theme.ghost, 1.5, [6, 5], theme);
+/** What tells several pinned runs apart, on the gear, on every plot and in the table, in px. */
+export const ghostDashes = [[6, 5], [3, 3], [12, 4, 2, 4], [14, 6]];
+
+/** A run that was pinned: dashed, each in its own way. @param {number} index of the ghost @returns {Style} */
+export const ghost = (index) => (context, theme) => set(context, theme.ghost, 1.5, ghostDashes[index % ghostDashes.length], theme);
 
 /** An edge of the gap: dotted. @type {Style} */
 export const gapEdge = (context, theme) => set(context, theme.freeplayText, 1.5, [2, 3], theme);

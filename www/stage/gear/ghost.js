@@ -4,6 +4,7 @@
  * @module
  */
 
+import { ghostDashes } from '../../view/strokes.js';
 import { contactLine, traceBehind } from './contact-line.js';
 import { inWheelFrame, poseNow } from './pose.js';
 import { translucent } from './theme.js';
@@ -14,11 +15,8 @@ import { tireShape, traceTire } from './tire-shape.js';
 /** @typedef {import('./scene.js').Ghost} Ghost */
 /** @typedef {import('./theme.js').Theme} Theme */
 
-/** Dashes tell several ghosts apart. */
-const DASHES = [[6, 5], [2, 3.5], [12, 4, 2, 4], [14, 6]];
-
 /** The dashes of a ghost [px]. @param {Sheet} sheet @param {number} index */
-export const ghostDash = (sheet, index) => DASHES[index % DASHES.length].map((dash) => dash * sheet.line);
+export const ghostDash = (sheet, index) => ghostDashes[index % ghostDashes.length].map((dash) => dash * sheet.line);
 
 /**
  * The ghost as a scene of its own, in the magnification of this one.

@@ -39,6 +39,7 @@ export const lens = {
   'phase.name.orbit': 'The motion in its state space: torsion angle, torsion rate and lateral deformation.',
   'phase.name.spectrum': 'Amplitude of the torsion angle at each frequency, over the last cycles.',
   'phase.name.spectrum-log': 'Amplitude of the torsion angle at each frequency, on a logarithmic scale.',
+  'phase.peak': 'Its peak: {peak}.',
   'phase.spectrum.over': 'Over the last {time} ms; the swing may have grown or fallen in them.',
   'phase.turn': 'Turn the orbit: drag it, or use the arrow keys',
 

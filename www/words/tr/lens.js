@@ -39,6 +39,7 @@ export const lens = {
   'phase.name.orbit': 'Hareket, durum uzayında: burulma açısı, burulma hızı ve yanal şekil değiştirme.',
   'phase.name.spectrum': 'Son çevrimlerde burulma açısının her frekanstaki genliği.',
   'phase.name.spectrum-log': 'Burulma açısının her frekanstaki genliği, logaritmik ölçekte.',
+  'phase.peak': 'Tepesi: {peak}.',
   'phase.spectrum.over': 'Son {time} ms içinde; salınım bu sürede büyümüş ya da küçülmüş olabilir.',
   'phase.turn': 'Yörüngeyi çevir: sürükle ya da ok tuşlarını kullan',
 

@@ -1,0 +1,65 @@
+// What the lenses say beside their pictures: names for those who do not see them, lines under them, tables.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { ghostDashes } from '../../www/view/strokes.js';
+import { knob, untilVerdict, withPage } from './chromium.mjs';
+
+const stage = withPage();
+const settled = '#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&time=1.5';
+const ghost = (/** @type {number} */ velocity) => `&ghost=0,torsional,velocity:${velocity},dampingConstant:20,state.torsionAngle:0.05`;
+
+test('the spectrum’s name tells its peak: the cycle’s own frequency and amplitude', async () => {
+  for (const [locale, said] of [['en-US', /Its peak: 51\.\d Hz · 15\.\d°\.$/], ['tr-TR', /Tepesi: 51,\d Hz · 15,\d°\.$/]]) {
+    const { page, leave } = await stage.open(`${settled}&view.phase=spectrum`, { locale: String(locale) });
+    const picture = page.locator('#lens-panel canvas');
+    await picture.waitFor();
+    await page.waitForFunction(() => /\d Hz/.test(document.querySelector('#lens-panel canvas')?.getAttribute('aria-label') ?? ''));
+    assert.match(await picture.getAttribute('aria-label') ?? '', /** @type {RegExp} */ (said));
+    await leave();
+  }
+});
+
+test('as the damping kills the swing, so does the peak that is told', async () => {
+  const { page, leave } = await stage.open(`${settled}&view.phase=spectrum-log`);
+  const degreesTold = () => page.locator('#lens-panel canvas').getAttribute('aria-label').then((name) => Number(name?.match(/([\d.]+)°\.$/)?.[1] ?? NaN));
+  await page.waitForFunction(() => /\d Hz/.test(document.querySelector('#lens-panel canvas')?.getAttribute('aria-label') ?? ''));
+  const before = await degreesTold();
+  await knob(page, 'dampingConstant').number.fill('100');
+  await page.keyboard.press('Enter');
+  await untilVerdict(page, 'It dies out');
+  await page.getByRole('button', { name: 'Strobe', exact: true }).click();
+  await page.waitForTimeout(1500);
+  assert.ok((await degreesTold()) < 0.7 * before, `${before}° before, now ${await degreesTold()}°`);
+  await leave();
+});
+
+test('the table shows each ghost’s line as the plots dash it', async () => {
+  const { page, leave } = await stage.open(`${settled}&lens=compare${[60, 70, 90, 100].map(ghost).join('')}`);
+  const lines = page.locator('shimmy-compare-table tbody .ghost');
+  await lines.nth(3).waitFor({ state: 'attached' });
+  const dashes = await lines.evaluateAll((all) => all.map((line) => getComputedStyle(line).strokeDasharray.replaceAll('px', '').split(', ').map(Number)));
+  assert.deepEqual(dashes, ghostDashes);
+  await leave();
+});
+
+test('while it is to be guessed the table hides what becomes of each run, from sight and from screen readers', async () => {
+  const { page, leave } = await stage.open(`${settled}&lens=compare${ghost(60)}${ghost(20)}`);
+  const rows = page.locator('shimmy-compare-table tbody tr');
+  await rows.nth(2).waitFor();
+  assert.match(await rows.nth(2).innerText(), /It dies out/);
+  await page.keyboard.press('p');
+  await page.locator('shimmy-compare-table td.veil').nth(2).waitFor();
+  assert.equal(await rows.count(), 3);
+  for (let row = 0; row < 3; row++) {
+    const text = await rows.nth(row).textContent() ?? '';
+    assert.ok(text.includes('?'), text);
+    assert.doesNotMatch(text, /It shimmies|It dies out|Hz|°|\d J/, 'it tells what is to be guessed');
+  }
+  assert.match(await rows.nth(1).innerText(), /v = 60/, 'what sets it apart is no secret');
+  await page.keyboard.press('1');
+  await page.keyboard.press('Enter');
+  await page.locator('shimmy-compare-table td.veil').first().waitFor({ state: 'detached' });
+  assert.match(await rows.nth(1).innerText(), /Hz/);
+  await leave();
+});
