@@ -26,6 +26,9 @@ import { drawVeil } from './veil.js';
  *   `exposure`: the time of a frame, in s, where that is too long for a single position, else 0
  */
 
+/** The symbol stands between the numbers of a small lane where it is this many times as high as a letter. */
+const linesBesideLevels = 3.5;
+
 /**
  * A state around now: past solid, future dotted, pinned runs dashed, now a line with a dot.
  * @param {CanvasRenderingContext2D} context
@@ -142,7 +145,8 @@ function levelsOf({ perSI, unit }, limit, y, voice, isSmall) {
 function nameState(context, box, quantity, frequency, theme, voice, room) {
   const { symbol, dotted, unit, color } = quantity;
   context.fillStyle = theme[color];
-  if (room === null && unit === '°') {
+  const hasPlace = box.bottom - box.top > linesBesideLevels * theme.size;
+  if (room === null && unit === '°' && hasPlace) {
     drawLabel(context, [{ symbol, dotted }], box.left - 10, (box.top + box.bottom) / 2 + theme.size * 0.35, theme, { align: 'right' });
   } else if (room === null) {
     drawLabel(context, nameOf(quantity, voice, true), box.left + theme.size * 0.4, box.top + theme.size, theme, { weight: 600, halo: theme.surface });
