@@ -40,6 +40,15 @@ test('values are found by symbol or by word, exactly where they occur', () => {
   assert.ok(found('psi(0) 1').every((name) => /figure-5\.9[4-9]/.test(name)));
 });
 
+test('shimmy is found as it is heard and by its other names, with or without marks', () => {
+  const shimmy = found('shimmy');
+  assert.ok(shimmy.includes('growing') && shimmy.includes('linear'));
+  for (const query of ['şimmy', 'simmy', 'şimmi', 'simmi', 'şimi', 'simi', 'ŞİMMİ', 'ŞIMMY', 'SHIMMI', 'yalpa', 'yalpalama', 'titreşim', 'titresim', 'wobble'])
+    assert.deepEqual(found(query), shimmy, query);
+  assert.deepEqual(found('büyüyen şimi'), ['growing']);
+  assert.deepEqual(found('şimendifer'), []);
+});
+
 test('words of both languages are found, with or without their marks', () => {
   for (const query of ['boşluk', 'bosluk', 'BOŞLUK', 'freeplay']) assert.ok(found(query).includes('freeplay') && found(query).includes('figure-6.3'), query);
   assert.ok(found('takırtı').includes('double-gap'));

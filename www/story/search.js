@@ -31,7 +31,10 @@ export function indexOf(stories, voices) {
   return stories.map((story) => {
     const { entry, steps } = story;
     const text = voices.flatMap((voice) => [titleOf(story, voice), gistOf(story, voice), entry ? lookOf(entry, voice) : '']).join(' ');
-    return { story, words: plain(text).match(token) ?? [], number: entry?.id.split(' ')[1].toLowerCase() ?? '', settings: steps.map(valuesOf) };
+    const words = tokensOf(text);
+    // The name of the thing is written as it is heard, and called by other names.
+    const others = words.includes('shimmy') ? voices.flatMap((voice) => tokensOf(voice.say('search.shimmy'))) : [];
+    return { story, words: [...words, ...others], number: entry?.id.split(' ')[1].toLowerCase() ?? '', settings: steps.map(valuesOf) };
   });
 }
 
@@ -42,7 +45,7 @@ export function indexOf(stories, voices) {
  * @param {string} query
  */
 export function search(index, query) {
-  const tokens = plain(query).match(token) ?? [];
+  const tokens = tokensOf(query);
   const exactly = index.filter((one) => answers(one, tokens, (value, text) => value === Number(text)));
   return exactly.length > 0 ? exactly : index.filter((one) => answers(one, tokens, (value, text) => String(value).startsWith(text)));
 }
@@ -64,6 +67,9 @@ function valuesOf({ state: { parameters, initial } }) {
   const { freeplayAngle, ...others } = parameters;
   return { ...others, ...initial, freeplayAngle: Number(((freeplayAngle ?? 0) * degrees).toPrecision(12)) };
 }
+
+/** @param {string} text @returns {string[]} */
+const tokensOf = (text) => plain(text).match(token) ?? [];
 
 /** Small letters without marks, decimal points for commas, no units. @param {string} text */
 function plain(text) {

@@ -14,6 +14,7 @@ export const story = {
   'story.comeBack': 'Back to what you had',
   'story.end': 'End the story',
 
+  'search.shimmy': 'shimmi shimy wobble flutter judder',
   'search.name': 'Presets, figures, lessons',
   'search.open': 'Search presets and figures',
   'search.close': 'Close the search',

@@ -14,6 +14,7 @@ export const story = {
   'story.comeBack': 'Bıraktığın yere dön',
   'story.end': 'Öyküyü bitir',
 
+  'search.shimmy': 'şimmy şimmi şimi şimy yalpa yalpalama titreme titreşim',
   'search.name': 'Hazır ayar, şekil, ders',
   'search.open': 'Hazır ayarlarda ve şekillerde ara',
   'search.close': 'Aramayı kapat',
