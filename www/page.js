@@ -56,7 +56,8 @@ export class Page extends LitElement {
       matchMedia(query).addEventListener('change', () => this.#loop.redress());
     stillness.addEventListener('change', () => this.#app.beStill(stillness.matches));
     document.fonts.addEventListener('loadingdone', () => this.#loop.redress());
-    window.addEventListener('hashchange', () => this.#app.openLink(location.hash));
+    // Not from the address as it is: the page may have written its own state there in between.
+    window.addEventListener('hashchange', ({ newURL }) => this.#app.openLink(new URL(newURL).hash));
     window.addEventListener('pagehide', () => this.#remember());
     window.addEventListener('keydown', (event) => this.#key(event));
     window.addEventListener('pointerdown', () => this.toggleAttribute('data-pointed', true), true);
