@@ -4,29 +4,17 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import { after, before, test } from 'node:test';
-import { launch, open, type, untilVerdict } from './chromium.mjs';
-import { serve } from './site.mjs';
+import { test } from 'node:test';
+import { type, untilVerdict, withPage } from './chromium.mjs';
 
 const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const sizes = [[1440, 900], [1024, 768], [390, 844], [720, 450]];
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const site = withPage();
 
 for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024], [720, 450], [390, 844], [390, 667]])
   test(`wheel, verdict and the damping's slider share the screen at ${width} × ${height}, scrolled or not`, async () => {
-    const { page, leave } = await open(browser, server.address, { viewport: { width, height } });
+    const { page, leave } = await site.open('', { viewport: { width, height } });
     await untilVerdict(page, 'It shimmies');
     const isCut = await page.locator('shimmy-transport .scale').evaluate((scale) => scale.scrollWidth > scale.clientWidth);
     assert.ok(!isCut, 'the rate in words is cut');
@@ -48,7 +36,7 @@ const edges = (page, ...parts) => page.evaluate((names) => names.map((name) => {
 
 for (const [width, height] of [[1440, 900], [1366, 620], [1100, 700], [1024, 768]])
   test(`the lens is beside the stage at ${width} × ${height}`, async () => {
-    const { page, leave } = await open(browser, server.address, { viewport: { width, height } });
+    const { page, leave } = await site.open('', { viewport: { width, height } });
     await untilVerdict(page, 'It shimmies');
     const [stage, lens] = await edges(page, 'shimmy-stage', '.lens');
     assert.ok(lens.left >= stage.right - 1 && lens.right === width, 'beside it');
@@ -58,7 +46,7 @@ for (const [width, height] of [[1440, 900], [1366, 620], [1100, 700], [1024, 768
 // 720 × 450 is a laptop's 1440 × 900, zoomed to 200 %.
 for (const [width, height] of [[720, 450], [900, 600], [1050, 620], [768, 1024], [390, 844]])
   test(`the lens is under the stage at ${width} × ${height}, and each of its parts can be scrolled into sight`, async () => {
-    const { page, leave } = await open(browser, `${server.address}#shimmy=2&initial.torsionAngle=0.05&story=first-look`, { viewport: { width, height } });
+    const { page, leave } = await site.open('#shimmy=2&initial.torsionAngle=0.05&story=first-look', { viewport: { width, height } });
     await untilVerdict(page, 'It shimmies');
     const [beneath, over] = await edges(page, '.lens', 'shimmy-stage');
     assert.ok(beneath.top >= over.bottom - 1 && beneath.left === 0 && beneath.right === width, 'under it, as wide as the page');
@@ -75,7 +63,7 @@ for (const [width, height] of [[720, 450], [900, 600], [1050, 620], [768, 1024],
   });
 
 test('what is narrow and low scrolls as a whole, with nothing in the way', async () => {
-  const { page, leave } = await open(browser, server.address, { viewport: { width: 360, height: 320 } });
+  const { page, leave } = await site.open('', { viewport: { width: 360, height: 320 } });
   await untilVerdict(page, 'It shimmies');
   await page.evaluate(() => window.scrollTo(0, 10_000));
   const [stage, dock] = await edges(page, 'shimmy-stage', 'shimmy-dock');
@@ -95,7 +83,7 @@ async function violations(page) {
 for (const [width, height] of sizes)
   for (const colorScheme of /** @type {const} */ (['light', 'dark']))
     test(`axe-core finds nothing at ${width} × ${height}, ${colorScheme}`, async () => {
-      const { page, leave } = await open(browser, server.address, { viewport: { width, height }, colorScheme });
+      const { page, leave } = await site.open('', { viewport: { width, height }, colorScheme });
       await untilVerdict(page, 'It shimmies');
       assert.deepEqual(await violations(page), []);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, 'wider than the screen');
@@ -106,7 +94,7 @@ for (const [width, height] of sizes)
     });
 
 test('axe-core finds nothing while a value is refused and a link is bad', async () => {
-  const { page, leave } = await open(browser, `${server.address}#shimmy=1&color=red&velocity=80`);
+  const { page, leave } = await site.open('#shimmy=1&color=red&velocity=80');
   await page.locator('.note').waitFor();
   await type(page, 'velocity', 'fast');
   assert.deepEqual(await violations(page), []);
@@ -114,7 +102,7 @@ test('axe-core finds nothing while a value is refused and a link is bad', async 
 });
 
 test('on a phone every target is large enough for a thumb', async () => {
-  const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const { page, leave } = await site.open('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await untilVerdict(page, 'It shimmies');
   const small = await page.evaluate(() => [...document.querySelectorAll('button, select, summary, input')]
     // A label takes the press for its radio button.
@@ -133,7 +121,7 @@ for (const [device, least, options] of /** @type {const} */ ([
   ['a finger on a wide tablet', 44, { viewport: { width: 1180, height: 820 }, hasTouch: true, isMobile: true }],
 ]))
   test(`the lists over the drawings show a mark and are large enough for ${device}`, async () => {
-    const { page, leave } = await open(browser, server.address, options);
+    const { page, leave } = await site.open('', options);
     await untilVerdict(page, 'It shimmies');
     const lists = await page.evaluate(() => ['.magnify', '.shown'].map((name) => {
       const label = /** @type {Element} */ (document.querySelector(name));
@@ -151,7 +139,7 @@ for (const [device, least, options] of /** @type {const} */ ([
   });
 
 test('on a phone the menu has what the dock has no room for', async () => {
-  const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 } });
+  const { page, leave } = await site.open('', { viewport: { width: 390, height: 844 } });
   await untilVerdict(page, 'It shimmies');
   await page.locator('.chips button').first().click();
   await type(page, 'velocity', '60');
@@ -167,7 +155,7 @@ test('on a phone the menu has what the dock has no room for', async () => {
 });
 
 test('on a phone the gear stays in sight and the page scrolls under it', async () => {
-  const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 } });
+  const { page, leave } = await site.open('', { viewport: { width: 390, height: 844 } });
   await untilVerdict(page, 'It shimmies');
   await page.mouse.move(200, 600);
   await page.mouse.wheel(0, 2000);
@@ -178,7 +166,7 @@ test('on a phone the gear stays in sight and the page scrolls under it', async (
 });
 
 test('the keyboard reaches every control, with its focus to be seen', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const reached = new Set();
   for (let i = 0; i < 60; i++) {
@@ -199,7 +187,7 @@ test('the keyboard reaches every control, with its focus to be seen', async () =
 });
 
 test('a slider obeys the arrow keys: one step, Shift × 10, Alt ÷ 10; a series of them is one undo', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const number = page.locator('shimmy-dock shimmy-knob[data-name="dampingConstant"] .number');
   await number.focus();

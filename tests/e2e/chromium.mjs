@@ -12,15 +12,16 @@ import { serve } from './site.mjs';
 
 /**
  * A browser for the tests of a file, and what serves them the page: started before the first of them, ended after the last.
- * @param {() => Promise<{ address: string, close: () => unknown } | null>} [start] dist/ unless said; null where tests serve themselves
+ * @param {(() => Promise<{ address: string, close: () => unknown }>) | null} [start] dist/ unless said; null where tests serve
+ *   for themselves
  */
 export function withPage(start = serve) {
   /** @type {Browser} */
   let browser;
-  /** @type {Awaited<ReturnType<typeof start>>} */
+  /** @type {{ address: string, close: () => unknown } | null} */
   let server = null;
   before(async () => {
-    server = await start();
+    server = await start?.() ?? null;
     browser = await launch();
   });
   after(async () => {

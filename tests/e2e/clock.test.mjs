@@ -2,28 +2,18 @@
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
+import { before, test } from 'node:test';
 import init, { simulate } from '../../www/pkg/shimmy.js';
-import { launch, open, untilVerdict } from './chromium.mjs';
+import { untilVerdict, withPage } from './chromium.mjs';
 import { frames, shown, takeFrames } from './frames.mjs';
-import { serve } from './site.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
 const degrees = 180 / Math.PI;
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
+const site = withPage();
 before(async () => {
-  server = await serve();
-  browser = await launch();
   await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
-});
-after(async () => {
-  await browser.close();
-  server.close();
 });
 
 /** The engine's own run of the opening. @param {number[]} times ascending, in s */
@@ -37,7 +27,7 @@ const label = async (/** @type {Page} */ page) => (await page.locator('.scale').
 
 /** Paused at the start of the run, with the frames in hand. @param {import('playwright-core').BrowserContextOptions} [options] @param {string} [hash] */
 async function atStart(options, hash = '') {
-  const { page, leave } = await open(browser, server.address + hash, options);
+  const { page, leave } = await site.open(hash, options);
   await page.locator('shimmy-verdict h1').waitFor();
   await press(page, 'Pause');
   await press(page, 'Back to the start');
@@ -132,7 +122,7 @@ test('the list of rates says which are too fast and too slow; any but a true one
 });
 
 test('from the strobe back to slow the keyboard finds the list', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await press(page, 'Strobe');
   assert.equal(await page.getByRole('button', { name: 'Strobe' }).getAttribute('aria-pressed'), 'true');
@@ -142,7 +132,7 @@ test('from the strobe back to slow the keyboard finds the list', async () => {
 });
 
 test('where the wheel does not swing the strobe has nothing to lock to', async () => {
-  const { page, leave } = await open(browser, `${server.address}#shimmy=2&velocity=80&dampingConstant=60&clock=strobe`);
+  const { page, leave } = await site.open('#shimmy=2&velocity=80&dampingConstant=60&clock=strobe');
   await untilVerdict(page, 'It rests');
   assert.match(await label(page), /^no steady beat/, 'in full or in short, as there is room');
   await press(page, 'Kick');
@@ -151,7 +141,7 @@ test('where the wheel does not swing the strobe has nothing to lock to', async (
 });
 
 test('where less motion is asked for there is neither strobe nor real, and it says why', async () => {
-  const { page, leave } = await open(browser, `${server.address}#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&clock=real`, { reducedMotion: 'reduce' });
+  const { page, leave } = await site.open('#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&clock=real', { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');
   const strobe = page.getByRole('button', { name: 'Strobe' });
   assert.equal(await strobe.getAttribute('aria-disabled'), 'true');
@@ -259,7 +249,7 @@ test('the mouse over the lower lane reads what the engine computes; clicks pin i
 });
 
 test('with the keys Enter brings a cursor that is read out, and the arrows move it instead of the time', async () => {
-  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  const { page, leave } = await site.open('', { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');
   const slider = page.getByRole('slider', { name: 'Time' });
   await slider.focus();
@@ -280,7 +270,7 @@ test('with the keys Enter brings a cursor that is read out, and the arrows move 
 });
 
 test('the lower lane shows another state when asked, and the link keeps it', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const read = await recordWords(page);
   await page.getByRole('combobox', { name: 'What the lane shows' }).selectOption('lateralDeformation');

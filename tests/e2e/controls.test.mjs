@@ -3,24 +3,12 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import { after, before, test } from 'node:test';
-import { knob, launch, open, type, untilVerdict } from './chromium.mjs';
-import { serve } from './site.mjs';
+import { test } from 'node:test';
+import { knob, type, untilVerdict, withPage } from './chromium.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const site = withPage();
 
 /** @param {Page} page @param {string} name @param {'dock' | 'drawer'} [place] */
 const placed = (page, name, place = 'dock') => page.locator(`shimmy-${place} shimmy-knob[data-name="${name}"]`);
@@ -44,7 +32,7 @@ async function scent(page, name, place) {
 const openDrawer = (page) => page.locator('shimmy-dock button[aria-expanded]:not(.name):visible').first().click();
 
 test('a track is hatched where the gear shimmies, with tick, number and caption', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   // Speed 27.600 of 1 … 120, damping 48.530 of 0 … 200, caster −0.0431 and 0.3190 of −0.5 … 0.5.
   assert.deepEqual(await scent(page, 'velocity'), { numbers: ['27.6'], caption: 'shimmies above', hatches: [[22, 100]], said: 'shimmies above 27.6 m/s' });
@@ -56,7 +44,7 @@ test('a track is hatched where the gear shimmies, with tick, number and caption'
 });
 
 test('a scent moves while another value is dragged', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const box = await knob(page, 'dampingConstant').slider.boundingBox();
   assert.ok(box);
@@ -76,7 +64,7 @@ test('a scent moves while another value is dragged', async () => {
 });
 
 test('with freeplay the captions speak of linear theory, and never of dying out', async () => {
-  const { page, leave } = await open(browser, `${server.address}#shimmy=1&dampingConstant=100&freeplayAngle=0.017453292519943295&initial.torsionAngle=0.05`);
+  const { page, leave } = await site.open('#shimmy=1&dampingConstant=100&freeplayAngle=0.017453292519943295&initial.torsionAngle=0.05');
   await untilVerdict(page, 'It rattles in the gap');
   assert.deepEqual(await scent(page, 'dampingConstant'), {
     numbers: ['39.0'], caption: 'linear theory: stable above', hatches: [[0, 19]], said: 'linear theory: stable above 39.0 N m s/rad',
@@ -93,7 +81,7 @@ for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [720, 450]
   test(`labels stay apart and on their track at ${width} × ${height}, in both languages`, async () => {
     for (const locale of ['en-US', 'tr-TR'])
       for (const freeplayAngle of [0, 0.01]) {
-        const { page, leave } = await open(browser, `${server.address}#shimmy=1&velocity=80&dampingConstant=20&freeplayAngle=${freeplayAngle}&initial.torsionAngle=0.05`,
+        const { page, leave } = await site.open(`#shimmy=1&velocity=80&dampingConstant=20&freeplayAngle=${freeplayAngle}&initial.torsionAngle=0.05`,
           { viewport: { width, height }, locale });
         await page.locator('shimmy-dock .scent-number').first().waitFor();
         await openDrawer(page);
@@ -115,7 +103,7 @@ for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [720, 450]
 for (const [width, height] of [[1440, 900], [1366, 768], [1100, 700], [1024, 768], [720, 450], [390, 844], [360, 640]])
   test(`no knob's name is cut at ${width} × ${height}, wherever it stands, in both languages`, async () => {
     for (const locale of ['en-US', 'tr-TR']) {
-      const { page, leave } = await open(browser, server.address, { viewport: { width, height }, locale, reducedMotion: 'reduce' });
+      const { page, leave } = await site.open('', { viewport: { width, height }, locale, reducedMotion: 'reduce' });
       await page.locator('shimmy-dock .scent-number').first().waitFor();
       await page.evaluate(() => document.fonts.ready);
       const cut = await page.evaluate(async () => {
@@ -143,7 +131,7 @@ for (const [width, height] of [[1440, 900], [1366, 768], [1100, 700], [1024, 768
   });
 
 test('what is veiled has no scent, nor has what a screen reader says of it', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await openDrawer(page);
   await page.evaluate(() => {
@@ -156,7 +144,7 @@ test('what is veiled has no scent, nor has what a screen reader says of it', asy
 });
 
 test('a chain is parted and joined from either end; a linked value follows, and parts under the hand', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await openDrawer(page);
   const chain = (/** @type {string} */ name) => placed(page, name, 'drawer').locator('.chain').first();
@@ -185,7 +173,7 @@ test('a chain is parted and joined from either end; a linked value follows, and 
 });
 
 test('a name opens its meaning and the equations with its symbol lit, by the keyboard, and gives the focus back', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const sheet = page.locator('shimmy-explanation');
   const name = placed(page, 'velocity').locator('.name');
@@ -215,7 +203,7 @@ test('a name opens its meaning and the equations with its symbol lit, by the key
 });
 
 test('the meaning is closed by a press elsewhere, changed by another name, and is in Turkish, too', async () => {
-  const { page, leave } = await open(browser, server.address, { locale: 'tr-TR' });
+  const { page, leave } = await site.open('', { locale: 'tr-TR' });
   await untilVerdict(page, 'Shimmy var');
   const sheet = page.locator('shimmy-explanation');
   await placed(page, 'dampingConstant').locator('.name').click();
@@ -234,7 +222,7 @@ test('the meaning is closed by a press elsewhere, changed by another name, and i
 
 test('every value has its meaning, and its equations do not run out of their sheet', async () => {
   for (const viewport of [{ width: 1440, height: 900 }, { width: 1024, height: 768 }, { width: 390, height: 844 }]) {
-    const { page, leave } = await open(browser, server.address, { viewport });
+    const { page, leave } = await site.open('', { viewport });
     await untilVerdict(page, 'It shimmies');
     await openDrawer(page);
     const names = page.locator('shimmy-drawer .name');
@@ -254,7 +242,7 @@ test('every value has its meaning, and its equations do not run out of their she
 });
 
 test('a speed is shown, typed and refused in knots, and the choice stays', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const { number, refusal } = knob(page, 'velocity');
   const unit = placed(page, 'velocity').locator('.unit');
@@ -293,7 +281,7 @@ test('a speed is shown, typed and refused in knots, and the choice stays', async
 });
 
 test('the reader’s own unit stays where a link names none', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const unit = placed(page, 'velocity').locator('.unit');
   await unit.click();
@@ -308,7 +296,7 @@ test('the reader’s own unit stays where a link names none', async () => {
 
 test('the dock shows the knobs that its layout has room for, a story’s before the usual ones', async () => {
   const shown = async (/** @type {Page} */ page) => page.locator('shimmy-dock shimmy-knob').evaluateAll((all) => all.map((one) => /** @type {HTMLElement} */ (one).dataset.name));
-  const { page, leave } = await open(browser, `${server.address}#shimmy=1&velocity=80&dampingConstant=25&initial.torsionAngle=0.05`);
+  const { page, leave } = await site.open('#shimmy=1&velocity=80&dampingConstant=25&initial.torsionAngle=0.05');
   await untilVerdict(page, 'It shimmies');
   assert.deepEqual(await shown(page), ['velocity', 'dampingConstant', 'casterLength', 'freeplayAngle']);
   await page.setViewportSize({ width: 1024, height: 768 });
@@ -329,7 +317,7 @@ test('the dock shows the knobs that its layout has room for, a story’s before 
 });
 
 test('the linear gear has its own values, groups and equations', async () => {
-  const { page, leave } = await open(browser, `${server.address}#shimmy=2&model=torsional-linear&velocity=80&dampingConstant=60&initial.torsionAngle=0.02`);
+  const { page, leave } = await site.open('#shimmy=2&model=torsional-linear&velocity=80&dampingConstant=60&initial.torsionAngle=0.02');
   await untilVerdict(page, 'It dies out');
   await openDrawer(page);
   assert.equal(await page.locator('shimmy-drawer shimmy-knob').count(), 11);
@@ -344,7 +332,7 @@ test('the linear gear has its own values, groups and equations', async () => {
 for (const [width, height, colorScheme] of /** @type {const} */ ([[1440, 900, 'light'], [390, 844, 'dark']]))
   test(`axe-core finds nothing in knobs, drawer and meaning at ${width} × ${height}, ${colorScheme}`, async () => {
     const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-    const { page, leave } = await open(browser, server.address, { viewport: { width, height }, colorScheme });
+    const { page, leave } = await site.open('', { viewport: { width, height }, colorScheme });
     await untilVerdict(page, 'It shimmies');
     await page.evaluate(axe);
     const violations = (/** @type {string[]} */ ...include) => page.evaluate(async (within) => {

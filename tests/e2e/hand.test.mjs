@@ -1,32 +1,20 @@
 // A hand on the wheel: mouse, finger, keys; and what may take the wheel out of it.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { launch, open, untilVerdict, verdict } from './chromium.mjs';
+import { test } from 'node:test';
+import { untilVerdict, verdict, withPage } from './chromium.mjs';
 import { shown } from './frames.mjs';
-import { serve } from './site.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
 const degrees = 180 / Math.PI;
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const site = withPage();
 
 /** @param {import('playwright-core').BrowserContextOptions} [options] @param {string} [hash] */
 async function paused(options, hash = '') {
-  const visit = await open(browser, server.address + hash, options);
+  const visit = await site.open(hash, options);
   await visit.page.locator('shimmy-verdict h1').waitFor();
   await visit.page.getByRole('button', { name: 'Pause', exact: true }).click();
   await visit.page.getByRole('button', { name: 'Play', exact: true }).waitFor();
@@ -86,7 +74,7 @@ test('the mouse twists the wheel; let go, the run goes on from there; one undo t
 });
 
 test('while the run plays the ground rolls on under a held wheel', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const { middle } = await wheelOf(page);
   await page.mouse.move(middle.x, middle.y);

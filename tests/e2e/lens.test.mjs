@@ -5,13 +5,13 @@ import { test } from 'node:test';
 import { ghostDashes } from '../../www/view/strokes.js';
 import { knob, untilVerdict, withPage } from './chromium.mjs';
 
-const stage = withPage();
+const site = withPage();
 const settled = '#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&time=1.5';
 const ghost = (/** @type {number} */ velocity) => `&ghost=0,torsional,velocity:${velocity},dampingConstant:20,state.torsionAngle:0.05`;
 
 test('the spectrum’s name tells its peak: the cycle’s own frequency and amplitude', async () => {
   for (const [locale, said] of [['en-US', /Its peak: 51\.\d Hz · 15\.\d°\.$/], ['tr-TR', /Tepesi: 51,\d Hz · 15,\d°\.$/]]) {
-    const { page, leave } = await stage.open(`${settled}&view.phase=spectrum`, { locale: String(locale) });
+    const { page, leave } = await site.open(`${settled}&view.phase=spectrum`, { locale: String(locale) });
     const picture = page.locator('#lens-panel canvas');
     await picture.waitFor();
     await page.waitForFunction(() => /\d Hz/.test(document.querySelector('#lens-panel canvas')?.getAttribute('aria-label') ?? ''));
@@ -21,7 +21,7 @@ test('the spectrum’s name tells its peak: the cycle’s own frequency and ampl
 });
 
 test('as the damping kills the swing, so does the peak that is told', async () => {
-  const { page, leave } = await stage.open(`${settled}&view.phase=spectrum-log`);
+  const { page, leave } = await site.open(`${settled}&view.phase=spectrum-log`);
   const degreesTold = () => page.locator('#lens-panel canvas').getAttribute('aria-label').then((name) => Number(name?.match(/([\d.]+)°\.$/)?.[1] ?? NaN));
   await page.waitForFunction(() => /\d Hz/.test(document.querySelector('#lens-panel canvas')?.getAttribute('aria-label') ?? ''));
   const before = await degreesTold();
@@ -35,7 +35,7 @@ test('as the damping kills the swing, so does the peak that is told', async () =
 });
 
 test('the table shows each ghost’s line as the plots dash it', async () => {
-  const { page, leave } = await stage.open(`${settled}&lens=compare${[60, 70, 90, 100].map(ghost).join('')}`);
+  const { page, leave } = await site.open(`${settled}&lens=compare${[60, 70, 90, 100].map(ghost).join('')}`);
   const lines = page.locator('shimmy-compare-table tbody .ghost');
   await lines.nth(3).waitFor({ state: 'attached' });
   const dashes = await lines.evaluateAll((all) => all.map((line) => getComputedStyle(line).strokeDasharray.replaceAll('px', '').split(', ').map(Number)));
@@ -44,7 +44,7 @@ test('the table shows each ghost’s line as the plots dash it', async () => {
 });
 
 test('while it is to be guessed the table hides what becomes of each run, from sight and from screen readers', async () => {
-  const { page, leave } = await stage.open(`${settled}&lens=compare${ghost(60)}${ghost(20)}`);
+  const { page, leave } = await site.open(`${settled}&lens=compare${ghost(60)}${ghost(20)}`);
   const rows = page.locator('shimmy-compare-table tbody tr');
   await rows.nth(2).waitFor();
   assert.match(await rows.nth(2).innerText(), /It dies out/);

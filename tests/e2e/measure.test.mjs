@@ -1,44 +1,33 @@
 // The measuring script still finds on the page what it measures. What it measures is no test's business.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { bytesOf } from '../../scripts/measure/bytes.mjs';
 import { measureDrag } from '../../scripts/measure/drag.mjs';
 import { measureFrames } from '../../scripts/measure/frames.mjs';
 import { growth, measureMemory } from '../../scripts/measure/memory.mjs';
 import { measureOpening } from '../../scripts/measure/opening.mjs';
 import { percentile } from '../../scripts/measure/statistics.mjs';
-import { launch } from './chromium.mjs';
-import { dist, fileAddress, serve } from './site.mjs';
+import { withPage } from './chromium.mjs';
+import { dist, fileAddress } from './site.mjs';
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const site = withPage();
 
 test('opening: both visits come to a moving wheel, and the files asked for are the build’s', async () => {
-  const { cold, warm, requests } = await measureOpening(browser, server.address, 1);
+  const { cold, warm, requests } = await measureOpening(site.browser, site.address, 1);
   assert.ok([...cold, ...warm].every((time) => time > 10 && time < 20_000), `${cold} ${warm}`);
-  const sizes = bytesOf(dist, server.address, requests);
+  const sizes = bytesOf(dist, site.address, requests);
   assert.ok(sizes.some(({ name }) => name.endsWith('.wasm')) && sizes.some(({ name }) => name === 'index.html'));
   assert.ok(sizes.every(({ raw, wire }) => wire > 0 && wire <= raw));
-  assert.ok((await measureOpening(browser, fileAddress, 1)).cold[0] > 10);
+  assert.ok((await measureOpening(site.browser, fileAddress, 1)).cold[0] > 10);
 });
 
 test('frames, a drag and memory are counted', async () => {
-  const { mean, p95, max, perSecond, parts } = await measureFrames(browser, server.address, { lens: 'phase', seconds: 1 });
+  const { mean, p95, max, perSecond, parts } = await measureFrames(site.browser, site.address, { lens: 'phase', seconds: 1 });
   assert.ok(mean > 0 && p95 <= max && perSecond > 0 && parts.scripts > 0 && parts.tasks > parts.scripts);
-  const drag = await measureDrag(browser, server.address, { lens: '', seconds: 2 });
+  const drag = await measureDrag(site.browser, site.address, { lens: '', seconds: 2 });
   assert.ok(drag.count > 2 && drag.p50 > 0 && drag.p95 <= drag.max);
-  const samples = await measureMemory(browser, server.address, { lens: '', minutes: 0.02 });
+  const samples = await measureMemory(site.browser, site.address, { lens: '', minutes: 0.02 });
   assert.equal(samples.length, 11);
   assert.ok(samples.every(({ heap, wasm }) => heap > 1e6 && wasm > 1e6));
 });

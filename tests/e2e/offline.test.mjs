@@ -4,23 +4,17 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { listRelease } from '../../scripts/bundle/offline.js';
-import { gearPixels, launch, open, untilVerdict } from './chromium.mjs';
+import { gearPixels, untilVerdict, withPage } from './chromium.mjs';
 import { dist, fileAddress, serve } from './site.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** @type {import('playwright-core').Browser} */
-let browser;
+// Each test has a server of its own, to be stopped.
+const site = withPage(null);
 const folder = mkdtempSync(join(tmpdir(), 'shimmy-builds-'));
-before(async () => {
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  rmSync(folder, { recursive: true, force: true });
-});
+after(() => rmSync(folder, { recursive: true, force: true }));
 
 /** Waits until the site's worker serves. @param {Page} page */
 const untilKept = (page) => page.evaluate(() => navigator.serviceWorker.ready.then(({ active }) => `${active?.state}`));
@@ -59,7 +53,7 @@ const buildShown = (page) => page.locator('body').getAttribute('data-build');
 test('after one visit it opens without a network, under a sub-path, with any link, and shimmies', async (t) => {
   const server = await serve();
   t.after(server.close);
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.openAt(server.address);
   assert.match(await untilKept(page), /^activat/);
   server.close();
   await page.context().setOffline(true);
@@ -82,7 +76,7 @@ test('after one visit it opens without a network, under a sub-path, with any lin
 test('a new build is stocked in the background and serves the next visit, whole; the one before the last goes', async (t) => {
   const server = await serve(buildOf('one'));
   t.after(server.close);
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.openAt(server.address);
   await untilKept(page);
   await page.reload();
   assert.equal(await buildShown(page), 'one');
@@ -125,7 +119,7 @@ test('a build that is not there in full changes nothing', async (t) => {
   const [old, half] = [buildOf('old'), buildOf('half')];
   const server = await serve(old);
   t.after(server.close);
-  const { page } = await open(browser, server.address);
+  const { page } = await site.openAt(server.address);
   await untilKept(page);
   await page.reload();
   const kept = await shelves(page);
@@ -146,7 +140,7 @@ test('a build that is not there in full changes nothing', async (t) => {
 });
 
 test('shimmy.html is whole by itself: no network, no request, no worker to keep it', async () => {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en-US', offline: true });
+  const context = await site.browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en-US', offline: true });
   const page = await context.newPage();
   /** @type {string[]} */
   const complaints = [];
@@ -168,7 +162,7 @@ test('shimmy.html is whole by itself: no network, no request, no worker to keep 
 test('it is an app to install: the manifest is read, its icons are there, of their sizes and up to date', async (t) => {
   const server = await serve();
   t.after(server.close);
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.openAt(server.address);
   await untilKept(page);
   const devtools = await page.context().newCDPSession(page);
   const { url, errors } = await devtools.send('Page.getAppManifest');

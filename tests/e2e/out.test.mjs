@@ -2,27 +2,16 @@
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { shimmy } from '../node/module.mjs';
-import { launch, open, untilVerdict } from './chromium.mjs';
+import { untilVerdict, withPage } from './chromium.mjs';
 import { fileAddress } from './site.mjs';
 import { openWorkshop } from './workshop.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {import('../../www/out/sheet.js').OutSheet} OutSheet */
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof openWorkshop>>} */
-let workshop;
-before(async () => {
-  workshop = await openWorkshop();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  await workshop.close();
-});
+const site = withPage(openWorkshop);
 
 const axe = await readFile(new URL('../../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
 
@@ -32,9 +21,9 @@ const axe = await readFile(new URL('../../node_modules/axe-core/axe.min.js', imp
  * @param {'en' | 'tr'} language
  */
 async function openSheet(options, language) {
-  const context = await browser.newContext({ reducedMotion: 'reduce', locale: 'en-US', ...options });
+  const context = await site.browser.newContext({ reducedMotion: 'reduce', locale: 'en-US', ...options });
   const page = await context.newPage();
-  await page.goto(workshop.address);
+  await page.goto(site.address);
   await untilVerdict(page, 'It shimmies');
   await page.evaluate(mount, language);
   return { page, context, heard: () => page.evaluate(() => /** @type {any} */ (window).heard) };
@@ -127,9 +116,9 @@ for (const [device, viewport] of /** @type {const} */ ([['desktop', { width: 144
     });
 
 test('the CSV on the disk is what simulate gives, the JSON runs, the pictures are what they say', async () => {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce', locale: 'en-US' });
+  const context = await site.browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce', locale: 'en-US' });
   const page = await context.newPage();
-  await page.goto(workshop.address);
+  await page.goto(site.address);
   await untilVerdict(page, 'It shimmies');
 
   const files = /** @type {Record<string, Buffer>} */ ({});
@@ -191,7 +180,7 @@ async function wishFor(format) {
 const downloadAlone = (await readFile(new URL('../../www/out/download.js', import.meta.url), 'utf8')).replaceAll('export ', '');
 
 test('a file is saved from a page that is a file itself, under its Content-Security-Policy', async () => {
-  const { page, leave } = await open(browser, fileAddress);
+  const { page, leave } = await site.openAt(fileAddress);
   const arriving = page.waitForEvent('download');
   await page.evaluate(`${downloadAlone}; download(new Blob(['a,b'], { type: 'text/csv' }), 'a.csv')`);
   const arrived = await arriving;
@@ -201,7 +190,7 @@ test('a file is saved from a page that is a file itself, under its Content-Secur
 });
 
 test('where the page can save nothing, the system’s own sheet takes the file', async () => {
-  const { page, leave } = await open(browser, fileAddress);
+  const { page, leave } = await site.openAt(fileAddress);
   const share = (/** @type {string} */ ending) => page.evaluate(`(async () => { ${downloadAlone}
     const passed = [];
     const navigator = { standalone: true, canShare: () => true, share: async (what) => { passed.push(what.files[0].name); ${ending} } };

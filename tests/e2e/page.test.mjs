@@ -1,30 +1,19 @@
 // What a visitor does, in both places where the page must work.
 
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import { gearPixels, knob, launch, open, type, untilVerdict, verdict } from './chromium.mjs';
-import { fileAddress, serve } from './site.mjs';
+import { describe, test } from 'node:test';
+import { gearPixels, knob, type, untilVerdict, verdict, withPage } from './chromium.mjs';
+import { fileAddress } from './site.mjs';
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const site = withPage();
 
 /** @type {[string, () => string][]} */
-const places = [['a server, under a sub-path', () => server.address], ['a file', () => fileAddress]];
+const places = [['a server, under a sub-path', () => site.address], ['a file', () => fileAddress]];
 
 for (const [place, address] of places) {
   describe(`from ${place}`, () => {
     test('it opens running: the wheel moves, and shimmies', async () => {
-      const { page, leave } = await open(browser, address());
+      const { page, leave } = await site.openAt(address());
       await untilVerdict(page, 'It shimmies');
       const one = await gearPixels(page);
       await page.waitForTimeout(150);
@@ -36,14 +25,14 @@ for (const [place, address] of places) {
     });
 
     test('the cycle at 80 m/s and 20 N m s/rad is read off the page', async () => {
-      const { page, leave } = await open(browser, address());
+      const { page, leave } = await site.openAt(address());
       await page.locator('.destination', { hasText: '0.26508 rad' }).waitFor();
       assert.match(await page.locator('.destination').innerText(), /±15\.188° \(0\.26508 rad\) · 51\.87 Hz/);
       await leave();
     });
 
     test('the damping dragged past its boundary, it dies out; undone, it shimmies again', async () => {
-      const { page, leave } = await open(browser, address());
+      const { page, leave } = await site.openAt(address());
       await untilVerdict(page, 'It shimmies');
       const { slider, number } = knob(page, 'dampingConstant');
       const box = await slider.boundingBox();
@@ -67,7 +56,7 @@ for (const [place, address] of places) {
     });
 
     test('both decimal signs are taken; what is refused is explained, and the run keeps the last good value', async () => {
-      const { page, leave } = await open(browser, address());
+      const { page, leave } = await site.openAt(address());
       await untilVerdict(page, 'It shimmies');
       const { number, refusal } = knob(page, 'velocity');
       await type(page, 'velocity', '60,5');
@@ -91,7 +80,7 @@ for (const [place, address] of places) {
     });
 
     test('a link brings everything back', async () => {
-      const { page, leave } = await open(browser, address());
+      const { page, leave } = await site.openAt(address());
       await untilVerdict(page, 'It shimmies');
       await type(page, 'velocity', '50');
       await type(page, 'dampingConstant', '100');
@@ -103,7 +92,7 @@ for (const [place, address] of places) {
       assert.match(link, /#shimmy=2&dampingConstant=100&freeplayAngle=0\.0174\d+&initial\.torsionAngle=0\.05&was\.velocity=80&was\.dampingConstant=20&was\.freeplayAngle=0&do=[\d.]+,velocity:50&do=[\d.]+,dampingConstant:100&do=[\d.]+,freeplayAngle:0\.0174\d+&time=[\d.]+&slow=25$/);
       await leave();
 
-      const again = await open(browser, link);
+      const again = await site.openAt(link);
       await untilVerdict(again.page, 'It rattles in the gap');
       assert.equal(await knob(again.page, 'freeplayAngle').number.inputValue(), '1.00');
       assert.equal(await again.page.getByRole('combobox', { name: 'Rate' }).inputValue(), '25');
@@ -112,7 +101,7 @@ for (const [place, address] of places) {
     });
 
     test('a bad link opens what could be read and lists what could not', async () => {
-      const { page, leave } = await open(browser, `${address()}#shimmy=1&velocity=-3&dampingConstant=60&color=red&initial.torsionAngle=0.05`);
+      const { page, leave } = await site.openAt(`${address()}#shimmy=1&velocity=-3&dampingConstant=60&color=red&initial.torsionAngle=0.05`);
       await untilVerdict(page, 'It dies out');
       assert.equal(await page.locator('.note').innerText().then((text) => text.split('\n')[0]),
         'Not all of the link could be read: velocity = -3 (not allowed), so it is 50; color (unknown).');
@@ -122,7 +111,7 @@ for (const [place, address] of places) {
     });
 
     test('in Turkish, with its own decimal sign, kept for the next visit', async () => {
-      const { page, leave } = await open(browser, address());
+      const { page, leave } = await site.openAt(address());
       await untilVerdict(page, 'It shimmies');
       await page.keyboard.press('?');
       await page.getByRole('radio', { name: 'Türkçe' }).check();
@@ -140,7 +129,7 @@ for (const [place, address] of places) {
 }
 
 test('the clock pauses, steps, scrubs back and starts anew', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const time = async () => Number(await page.getByRole('slider', { name: 'Time' }).getAttribute('aria-valuenow'));
   await page.waitForTimeout(900);
@@ -176,7 +165,7 @@ test('the clock pauses, steps, scrubs back and starts anew', async () => {
 });
 
 test('while it stands still the words follow every change, however quick', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press(' ');
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
@@ -188,7 +177,7 @@ test('while it stands still the words follow every change, however quick', async
 });
 
 test('a wheel at rest is kicked', async () => {
-  const { page, leave } = await open(browser, `${server.address}#shimmy=1&velocity=80&dampingConstant=60`);
+  const { page, leave } = await site.open('#shimmy=1&velocity=80&dampingConstant=60');
   await untilVerdict(page, 'It rests');
   await page.getByRole('button', { name: 'Kick' }).click();
   await untilVerdict(page, 'It dies out');
@@ -196,7 +185,7 @@ test('a wheel at rest is kicked', async () => {
 });
 
 test('an absurd value stops the run, not the page, and is undone', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await type(page, 'casterLength', '500000');
   await page.locator('.note', { hasText: 'with Caster = 500\u202f000 m it leaves' }).waitFor();
@@ -210,7 +199,7 @@ test('an absurd value stops the run, not the page, and is undone', async () => {
 });
 
 test('what stopped the run may be mended by hand, and the complaint goes', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.getByRole('button', { name: 'All 14 values' }).click();
   const relaxation = page.locator('shimmy-drawer shimmy-knob[data-name="relaxationLength"] .number');
@@ -226,7 +215,7 @@ test('what stopped the run may be mended by hand, and the complaint goes', async
 });
 
 test('a link with an absurd value opens stopped, and Reset all gets it going', async () => {
-  const { page, leave } = await open(browser, `${server.address}#shimmy=1&relaxationLength=1e-300&initial.torsionAngle=0.05`);
+  const { page, leave } = await site.open('#shimmy=1&relaxationLength=1e-300&initial.torsionAngle=0.05');
   await page.locator('.note', { hasText: 'The run stopped at 0.000 s' }).waitFor();
   await page.getByRole('button', { name: 'Reset all' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
@@ -236,7 +225,7 @@ test('a link with an absurd value opens stopped, and Reset all gets it going', a
 });
 
 test('all values are in a drawer beside the gear, each live', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.getByRole('button', { name: 'All 14 values' }).click();
   const drawer = page.locator('shimmy-drawer');
@@ -255,7 +244,7 @@ test('all values are in a drawer beside the gear, each live', async () => {
 });
 
 test('with reduced motion it opens paused, the whole run drawn', async () => {
-  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  const { page, leave } = await site.open('', { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   const one = await gearPixels(page);
@@ -276,7 +265,7 @@ test('with reduced motion it opens paused, the whole run drawn', async () => {
 });
 
 test('the time takes the keys of a slider', async () => {
-  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  const { page, leave } = await site.open('', { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');
   const time = page.getByRole('slider', { name: 'Time' });
   await time.focus();
@@ -295,7 +284,7 @@ test('the time takes the keys of a slider', async () => {
 });
 
 test('a change by the keyboard is spoken once it is made', async () => {
-  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  const { page, leave } = await site.open('', { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');
   const { slider } = knob(page, 'dampingConstant');
   await slider.focus();
@@ -306,7 +295,7 @@ test('a change by the keyboard is spoken once it is made', async () => {
 });
 
 test('while the engine is slow to come the gear is there, at rest, and says what it waits for', async () => {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const context = await site.browser.newContext({ viewport: { width: 1440, height: 900 } });
   const page = await context.newPage();
   /** @type {() => void} */
   let arrive = () => {};
@@ -315,7 +304,7 @@ test('while the engine is slow to come the gear is there, at rest, and says what
     await arrived;
     await route.continue();
   });
-  await page.goto(server.address, { waitUntil: 'commit' });
+  await page.goto(site.address, { waitUntil: 'commit' });
   await page.locator('.verdict-message', { hasText: 'Starting the engine' }).waitFor();
   assert.ok(new Set(await gearPixels(page)).size > 20, 'the gear is not drawn');
   arrive();
@@ -325,13 +314,13 @@ test('while the engine is slow to come the gear is there, at rest, and says what
 });
 
 test('where WebAssembly is refused the picture stays, with the reason', async () => {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const context = await site.browser.newContext({ viewport: { width: 1440, height: 900 } });
   const page = await context.newPage();
   await page.addInitScript(() => {
     const refuse = () => Promise.reject(new Error('no modules today'));
     Object.assign(WebAssembly, { compile: refuse, compileStreaming: refuse });
   });
-  await page.goto(server.address);
+  await page.goto(site.address);
   await page.locator('.verdict-message', { hasText: 'no modules today' }).waitFor();
   const drawn = await gearPixels(page);
   assert.ok(new Set(drawn).size > 20, 'the gear is not drawn');

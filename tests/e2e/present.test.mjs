@@ -3,30 +3,18 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import { after, before, test } from 'node:test';
-import { gearPixels, knob, launch, open, type, untilVerdict } from './chromium.mjs';
-import { serve } from './site.mjs';
+import { test } from 'node:test';
+import { gearPixels, knob, type, untilVerdict, withPage } from './chromium.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
 const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const site = withPage();
 
 /** The page under a clock that the test winds, from its first frames on. */
 async function openWound() {
-  const { page, leave } = await open(browser, server.address, {}, async ({ clock }) => {
+  const { page, leave } = await site.open('', {}, async ({ clock }) => {
     await clock.install({ time: 0 });
     await clock.pauseAt(1000);
   });
@@ -138,19 +126,19 @@ test('whatever a visitor does ends it at once', async () => {
 });
 
 test('an earlier visit and a link are not begun with it', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   assert.equal(await page.locator('.opening-line').count(), 1);
   await page.waitForTimeout(600);
   await page.goto('about:blank');
-  await page.goto(server.address);
+  await page.goto(site.address);
   await untilVerdict(page, 'It shimmies');
   assert.equal(await page.locator('.opening-line').count(), 0);
   await leave();
 });
 
 test('with reduced motion it stands at the last of it, all said, and nothing breathes', async () => {
-  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  const { page, leave } = await site.open('', { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');
   await page.waitForTimeout(400);
   assert.equal(await time(page), 0.16);
@@ -160,7 +148,7 @@ test('with reduced motion it stands at the last of it, all said, and nothing bre
 });
 
 test('the engine is asked for once, while the script still arrives', async () => {
-  const { page, requests, leave } = await open(browser, server.address);
+  const { page, requests, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const ofEngine = requests.filter((url) => url.endsWith('.wasm'));
   assert.equal(ofEngine.length, 1);
@@ -170,7 +158,7 @@ test('the engine is asked for once, while the script still arrives', async () =>
 });
 
 test('predict and reveal, with keys alone; nothing tells before, to eye or ear', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.waitForTimeout(1000);
   await page.keyboard.press('p');
@@ -204,7 +192,7 @@ test('predict and reveal, with keys alone; nothing tells before, to eye or ear',
 });
 
 test('a clicker reveals, though a slider has the focus', async () => {
-  const { page, leave } = await open(browser, `${server.address}#shimmy=2&velocity=80&dampingConstant=60&initial.torsionAngle=0.1&predict=1`);
+  const { page, leave } = await site.open('#shimmy=2&velocity=80&dampingConstant=60&initial.torsionAngle=0.1&predict=1');
   await page.locator('.prediction').waitFor();
   assert.equal(await page.locator('h1[data-verdict]').count(), 0);
   await page.keyboard.press('1');
@@ -218,7 +206,7 @@ test('a clicker reveals, though a slider has the focus', async () => {
 });
 
 test('who is asked while playing may leave without an answer, and it plays on', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.getByRole('button', { name: 'Predict' }).click();
   assert.equal(await page.getByRole('button', { name: 'Predict' }).getAttribute('aria-pressed'), 'true');
@@ -233,7 +221,7 @@ test('who is asked while playing may leave without an answer, and it plays on', 
 });
 
 test('what a pen draws stays with its view, is taken back stroke by stroke, and fades when the run goes on', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press('f');
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
@@ -298,7 +286,7 @@ test('what a pen drew survives a reload, as the address carries it', async () =>
 });
 
 test('a stroke keeps its place when the window changes its size', async () => {
-  const { page, leave } = await open(browser, server.address, { reducedMotion: 'reduce' });
+  const { page, leave } = await site.open('', { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press('d');
   await draw(page, gear, [[0.5, 0.2], [0.5, 0.8]]);
@@ -318,7 +306,7 @@ test('a stroke keeps its place when the window changes its size', async () => {
 });
 
 test('one finger draws, two move the page; without a pen in hand the sheet lets everything through', async () => {
-  const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const { page, leave } = await site.open('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await untilVerdict(page, 'It shimmies');
   await page.locator('.menu summary').click();
   await page.locator('.menu-sheet').getByRole('button', { name: 'Pen' }).click();
@@ -337,7 +325,7 @@ test('one finger draws, two move the page; without a pen in hand the sheet lets 
 for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024], [390, 844], [360, 640]])
   test(`the pen's tools fit the head at ${width} × ${height}, in both languages`, async () => {
     for (const locale of ['en-US', 'tr-TR']) {
-      const { page, leave } = await open(browser, server.address, { viewport: { width, height }, locale });
+      const { page, leave } = await site.open('', { viewport: { width, height }, locale });
       await page.locator('h1[data-verdict]').waitFor();
       await page.keyboard.press('d');
       await page.locator('.pen-tools').waitFor();
@@ -350,7 +338,7 @@ for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024
   });
 
 test('big: the verdict is twice as large, and the gear keeps its size whatever is said', async () => {
-  const { page, leave } = await open(browser, server.address, { viewport: { width: 1024, height: 768 } });
+  const { page, leave } = await site.open('', { viewport: { width: 1024, height: 768 } });
   await untilVerdict(page, 'It shimmies');
   const size = (/** @type {string} */ what) => page.locator(what).evaluate((element) => parseFloat(getComputedStyle(element).fontSize));
   const [word, numbers] = [await size('shimmy-verdict h1'), await size('.verdict-numbers')];
@@ -374,7 +362,7 @@ test('big: the verdict is twice as large, and the gear keeps its size whatever i
 });
 
 test('lost: Home brings the gear to rest and keeps the values; on the time it is the slider’s own', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await type(page, 'dampingConstant', '15');
   await page.getByRole('button', { name: 'Kick' }).click();
@@ -390,7 +378,7 @@ test('lost: Home brings the gear to rest and keeps the values; on the time it is
 });
 
 test('every key of a lecturer is on the list', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press('?');
   await page.locator('.menu-sheet kbd').first().waitFor();

@@ -3,26 +3,14 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { presets } from '../../www/story/presets.js';
 import { voiceOf } from '../../www/words/voice.js';
-import { knob, launch, open, type, untilVerdict } from './chromium.mjs';
-import { serve } from './site.mjs';
+import { knob, type, untilVerdict, withPage } from './chromium.mjs';
 
 const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const site = withPage();
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -36,7 +24,7 @@ const rows = (page, which) => page.getByRole('listbox').getByRole('option', whic
 const time = async (page) => Number(await page.getByRole('slider', { name: 'Time' }).getAttribute('aria-valuenow'));
 
 test('each preset opens by a click, and says what the gear then does', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   const verdicts = ['It shimmies', 'It dies out', 'It dies out', 'It shimmies', 'It shimmies', 'It dies out', 'It dies out', 'It rattles in the gap', 'It shimmies', 'It shimmies', 'It grows beyond the model'];
   assert.equal(presets.length, verdicts.length);
@@ -53,7 +41,7 @@ test('each preset opens by a click, and says what the gear then does', async () 
 });
 
 test('a figure is found by its number and opened by Enter, in English and in Turkish', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press('/');
   await page.keyboard.type('5.88a');
@@ -68,7 +56,7 @@ test('a figure is found by its number and opened by Enter, in English and in Tur
   await page.waitForURL(/view\.phase=orbit&story=figure-5\.88a$/);
   await leave();
 
-  const other = await open(browser, server.address, { locale: 'tr-TR' });
+  const other = await site.open('', { locale: 'tr-TR' });
   await untilVerdict(other.page, 'Shimmy var');
   await other.page.keyboard.press('/');
   await other.page.keyboard.type('boşluk 0,5 v 50');
@@ -82,7 +70,7 @@ test('a figure is found by its number and opened by Enter, in English and in Tur
 });
 
 test('the list obeys its keys: arrows past what is not built, Escape, and nothing found says so', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press('/');
   const active = () => rows(page, { selected: true }).innerText();
@@ -108,7 +96,7 @@ test('the list obeys its keys: arrows past what is not built, Escape, and nothin
 });
 
 test('back to what you had: value, time, pause', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await type(page, 'dampingConstant', '33');
   await page.waitForTimeout(500);
@@ -134,7 +122,7 @@ test('back to what you had: value, time, pause', async () => {
 });
 
 test('a clicker walks the first look, and a link takes another there', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press('PageDown');
   await untilPlace(page, 'First look · 1 of 5');
@@ -149,7 +137,7 @@ test('a clicker walks the first look, and a link takes another there', async () 
   const link = page.url();
   await leave();
 
-  const again = await open(browser, link);
+  const again = await site.openAt(link);
   await untilPlace(again.page, 'First look · 3 of 5');
   await again.page.getByRole('button', { name: 'End the story' }).click();
   await untilPlace(again.page, 'What to try');
@@ -157,7 +145,7 @@ test('a clicker walks the first look, and a link takes another there', async () 
 });
 
 test('a question is guessed at, answered by the story, and gone on from: all with the keys of a clicker, or by hand', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   for (let i = 0; i < 4; i++) await page.keyboard.press('PageDown');
   await untilPlace(page, 'First look · 4 of 5');
@@ -186,7 +174,7 @@ test('a question is guessed at, answered by the story, and gone on from: all wit
 });
 
 test('a clicker walks on after a mouse was at a slider or at the time; by the keyboard these page themselves', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.getByRole('slider', { name: 'Time' }).click();
   await page.keyboard.press('PageDown');
@@ -204,7 +192,7 @@ test('a clicker walks on after a mouse was at a slider or at the time; by the ke
 });
 
 test('another object: the dock follows its table, and what is not built is dimmed', async () => {
-  const { page, leave } = await open(browser, server.address);
+  const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
   await page.getByRole('combobox', { name: 'Object' }).selectOption('torsional-linear');
   await untilVerdict(page, 'It grows beyond the model');
@@ -222,7 +210,7 @@ test('another object: the dock follows its table, and what is not built is dimme
 });
 
 test('on a phone the field is behind its button, its rows are large, and the story is read under the gear', async () => {
-  const { page, leave } = await open(browser, server.address, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const { page, leave } = await site.open('', { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await untilVerdict(page, 'It shimmies');
   await page.getByRole('button', { name: 'Search presets and figures' }).tap();
   await page.getByRole('combobox', { name: 'Presets, figures, lessons' }).fill('5.9');
@@ -248,7 +236,7 @@ test('on a phone the field is behind its button, its rows are large, and the sto
 for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]])
   for (const colorScheme of /** @type {const} */ (['light', 'dark']))
     test(`axe-core finds nothing with a story told and the list open at ${width} × ${height}, ${colorScheme}`, async () => {
-      const { page, leave } = await open(browser, server.address, { viewport: { width, height }, colorScheme });
+      const { page, leave } = await site.open('', { viewport: { width, height }, colorScheme });
       await untilVerdict(page, 'It shimmies');
       await page.keyboard.press('PageDown');
       await untilVerdict(page, 'It shimmies');

@@ -1,22 +1,11 @@
 // A view as SVG is the view on its canvas: both are drawn by the browser and held side by side.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { launch } from './chromium.mjs';
+import { test } from 'node:test';
+import { withPage } from './chromium.mjs';
 import { openWorkshop } from './workshop.mjs';
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof openWorkshop>>} */
-let workshop;
-before(async () => {
-  workshop = await openWorkshop();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  await workshop.close();
-});
+const site = withPage(openWorkshop);
 
 /** @type {[string, 'light' | 'dark', string][]} */
 const scenes = [
@@ -28,9 +17,9 @@ const scenes = [
 for (const [name, colorScheme, link] of scenes) {
   test(`every view on screen looks the same as SVG: ${name}`, async () => {
     // Paused by reduced motion, so that both drawings are of one instant.
-    const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, colorScheme, reducedMotion: 'reduce' });
+    const context = await site.browser.newContext({ viewport: { width: 1440, height: 900 }, colorScheme, reducedMotion: 'reduce' });
     const page = await context.newPage();
-    await page.goto(workshop.address + link);
+    await page.goto(site.address + link);
     await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
     await page.waitForFunction(() => document.fonts.status === 'loaded' && document.querySelector('shimmy-verdict h1')?.textContent);
     await page.waitForTimeout(500);
