@@ -34,6 +34,30 @@ test('as the damping kills the swing, so does the peak that is told', async () =
   await leave();
 });
 
+test('under the force laws stands what the side force does within a cycle, at every instant of it', async () => {
+  // Three steps of 1 ms at a time, of a cycle of 19 ms: the slip angle passes through zero on the way.
+  const instants = 8;
+  for (const [link, line] of [
+    [settled, 'In each cycle the side force meets its limit: it feeds no more, however wide the swing.'],
+    // At ±1° the slip angle stays far below the 5° at which the side force stops growing.
+    ['#shimmy=2&velocity=80&dampingConstant=48.5&initial.torsionAngle=0.0175&time=0.1', 'The side force stays below its limit and grows with the slip angle.'],
+  ]) {
+    const { page, leave } = await site.open(`${link}&lens=forces`, { reducedMotion: 'reduce' });
+    const said = page.locator('shimmy-forces-lens footer p');
+    await said.waitFor();
+    const slips = [];
+    for (let i = 0; i < instants; i++) {
+      assert.equal(await said.innerText(), line);
+      slips.push(await page.evaluate(() => /** @type {any} */ (document.querySelector('shimmy-stage')).scene.forces.slipAngle));
+      for (let step = 0; step < 3; step++) await page.getByRole('button', { name: 'Step on', exact: true }).click();
+      await page.waitForTimeout(50);
+    }
+    assert.ok(Math.max(...slips) > 0 && Math.min(...slips) < 0, `a whole cycle was seen: ${slips}`);
+    if (link === settled) assert.ok(slips.some((slip) => Math.abs(slip) < 0.07), 'and instants below the limit');
+    await leave();
+  }
+});
+
 test('the table shows each ghost’s line as the plots dash it', async () => {
   const { page, leave } = await site.open(`${settled}&lens=compare${[60, 70, 90, 100].map(ghost).join('')}`);
   const lines = page.locator('shimmy-compare-table tbody .ghost');

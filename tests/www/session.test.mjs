@@ -245,6 +245,39 @@ test('where a frame is too long for one state the scene has those of its exposur
   assert.ok(ghosts[0].exposed && ghosts[0].exposed.time.length > 40);
 });
 
+test('a wheel in a hand has no future to be drawn; let go it has one again', () => {
+  const { session } = opened();
+  session.advance(0.1);
+  assert.ok(session.scene(wanted).future.time.length > 50);
+  session.hold(0.2);
+  for (let i = 0; i < 5; i++) {
+    session.advance(0.01);
+    session.hold(0.2 + 0.01 * i);
+    const { future, time, state } = session.scene(wanted);
+    assert.ok(future.time.length >= 1 && future.time.length <= 2, `${future.time.length} instants`);
+    assert.ok(future.time.every((at) => at <= time + 1e-12), 'what comes is drawn');
+    assert.ok(Math.abs(future.torsionAngle[future.time.length - 1] - state[0]) < 1e-9, 'it ends where the hand is');
+  }
+  session.letGo();
+  const { future } = session.scene(wanted);
+  assert.ok(future.time.length > 50 && Math.abs(future.time[future.time.length - 1] - wanted.moment[1]) < 1e-9);
+});
+
+test('where the sheet shows no track it ends now, however the distance is rounded', () => {
+  // A distance of the wheel turned back into a time may be a rounding later than now, which no history goes to.
+  let isLater = 0;
+  for (let i = 0; i < 60; i++) {
+    const { session, store } = opened();
+    store.follow({ parameters: { ...store.state.parameters, velocity: 30 + i / 7 } });
+    session.advance(0.001 + i / 3000);
+    const { time, roll, track } = session.scene({ ...wanted, trackLength: 0 });
+    assert.equal(session.failure, null);
+    assert.ok(track.time.every((at) => at <= time) && track.distance.every((at) => at <= roll), `${i}`);
+    if (roll / store.state.parameters.velocity > time) isLater++;
+  }
+  assert.ok(isLater > 0, 'no rounding was met: the test says nothing');
+});
+
 test('axes far too large for the motion are chosen anew when a hand lets go', () => {
   const { session } = opened();
   session.advance(2);
