@@ -62,6 +62,15 @@ for (const [width, height] of [[720, 450], [900, 600], [1050, 620], [768, 1024],
     await leave();
   });
 
+for (const [width, height] of [[720, 450], [640, 360], [390, 844]])
+  test(`the clock's buttons have room at ${width} × ${height} in Turkish, whose words are longer`, async () => {
+    const { page, leave } = await site.open('', { viewport: { width, height }, locale: 'tr-TR' });
+    await untilVerdict(page, 'Shimmy var');
+    const [last, clock] = await edges(page, 'shimmy-transport .kick', 'shimmy-transport');
+    assert.ok(last.right <= clock.right && clock.right <= width, JSON.stringify({ last, clock }));
+    await leave();
+  });
+
 test('what is narrow and low scrolls as a whole, with nothing in the way', async () => {
   const { page, leave } = await site.open('', { viewport: { width: 360, height: 320 } });
   await untilVerdict(page, 'It shimmies');
