@@ -18,6 +18,7 @@ import { materialOf } from './out/from-page.js';
 import { grant } from './out/grant.js';
 import { linkOfFile } from './out/link-of-file.js';
 import { viewsOf } from './out/views.js';
+import { modeOnGear } from './run/modes.js';
 import { readTheme } from './style/theme.js';
 import { Teller } from './story/telling.js';
 
@@ -89,7 +90,7 @@ export class Page extends LitElement {
         <shimmy-stage .voice=${voice} .isReady=${session !== null} .isPlaying=${clock.isPlaying} .isStill=${app.isStill}
           .isHeld=${session?.isHeld ?? false} .mode=${clock.mode} .slow=${clock.slow} .isChosen=${rate.slow !== null} .step=${clock.step}
           .quantities=${quantities} .ghostCount=${app.state.ghosts.length} .views=${views} .failure=${app.failure} .isVeiled=${isVeiled}
-          .isBig=${isBig}></shimmy-stage>
+          .isBig=${isBig} .eigenmode=${isVeiled ? null : modeOnGear(app.state)}></shimmy-stage>
         <section class="lens" aria-label=${voice.say('lens.name')}>
           ${predict && app.notes.length === 0 ? html`<shimmy-prediction .voice=${voice} .predict=${predict}
             .question=${telling?.isQuestion ? telling.sentence : ''}></shimmy-prediction>` : html`

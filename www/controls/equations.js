@@ -5,12 +5,13 @@
  * A further model is a function here and its line in `models`, below.
  *
  * @typedef {import('../words/voice.js').Voice} Voice
- * @typedef {import('lit').TemplateResult<3>} Math a piece of MathML
+ * @typedef {import('./mathml.js').Math} Math
  * @typedef {(symbol: string) => Math} Symbols writes a parameter as the engine's table names it: `c_Fα`
  * @typedef {{ symbol: string, word: import('../words/voice.js').Key }} Legend
  */
 
-import { html, mathml, nothing } from 'lit';
+import { mathml, nothing } from 'lit';
+import { bracketed, cases, compared, dotted, equal, fraction, minus, named, negative, number, of, plus, product, sign, size, square, twiceDotted, typeset, written } from './mathml.js';
 
 /**
  * The equations of a model; none where the page has not got them.
@@ -110,105 +111,4 @@ function kinematics(p) {
 /** @param {string} lit @returns {Symbols} */
 function symbols(lit) {
   return (symbol) => (symbol === lit ? mathml`<mrow class="lit">${written(symbol)}</mrow>` : written(symbol));
-}
-
-/** @param {Math} math */
-function typeset(math) {
-  return html`<math displaystyle="true"><mrow>${math}</mrow></math>`;
-}
-
-/** @param {string} symbol `I_z` */
-function written(symbol) {
-  const [letter, sub] = symbol.split('_');
-  return sub ? mathml`<msub><mi>${letter}</mi><mi>${sub}</mi></msub>` : mathml`<mi>${letter}</mi>`;
-}
-
-/** @param {string} name of a function */
-function named(name) {
-  return mathml`<mi class="upright">${name}</mi>`;
-}
-
-/** @param {string} digits */
-function number(digits) {
-  return mathml`<mn>${digits}</mn>`;
-}
-
-/** @param {Math} math */
-function dotted(math) {
-  return mathml`<mover accent="true">${math}<mo class="dots">.</mo></mover>`;
-}
-
-/** @param {Math} math */
-function twiceDotted(math) {
-  return mathml`<mover accent="true">${math}<mo class="dots">¨</mo></mover>`;
-}
-
-/** @param {Math} math */
-function square(math) {
-  return mathml`<msup>${math}<mn>2</mn></msup>`;
-}
-
-/** @param {Math} above @param {Math} below */
-function fraction(above, below) {
-  return mathml`<mfrac><mrow>${above}</mrow><mrow>${below}</mrow></mfrac>`;
-}
-
-/** @param {Math[]} factors */
-function product(...factors) {
-  return mathml`${factors.map((factor, i) => (i === 0 ? factor : mathml`<mspace width="0.18em"></mspace>${factor}`))}`;
-}
-
-/** @param {Math[]} factors */
-function plus(...factors) {
-  return { sign: '+', term: product(...factors) };
-}
-
-/** @param {Math[]} factors */
-function minus(...factors) {
-  return { sign: '−', term: product(...factors) };
-}
-
-/** @param {Math} math */
-function negative(math) {
-  return mathml`<mo form="prefix">−</mo>${math}`;
-}
-
-/** @param {Math} left @param {(Math | { sign: string, term: Math })[]} terms a sum */
-function equal(left, ...terms) {
-  return mathml`${left}<mo>=</mo>${terms.map((one, i) => {
-    if (!('sign' in one)) return one;
-    if (i === 0) return one.sign === '+' ? one.term : negative(one.term);
-    return mathml`<mo>${one.sign}</mo>${one.term}`;
-  })}`;
-}
-
-/** @param {Math} left @param {string} relation @param {Math} right */
-function compared(left, relation, right) {
-  return mathml`${left}<mo>${relation}</mo>${right}`;
-}
-
-/** @param {Math} math */
-function bracketed(math) {
-  return mathml`<mrow><mo form="prefix" stretchy="false">(</mo>${math}<mo form="postfix" stretchy="false">)</mo></mrow>`;
-}
-
-/** A function's value. @param {Math} what @param {Math} argument */
-function of(what, argument) {
-  return mathml`${what}<mo form="prefix" stretchy="false">(</mo>${argument}<mo form="postfix" stretchy="false">)</mo>`;
-}
-
-/** @param {Math} math */
-function size(math) {
-  return mathml`<mo form="prefix" stretchy="false">|</mo>${math}<mo form="postfix" stretchy="false">|</mo>`;
-}
-
-/** @param {Math} math */
-function sign(math) {
-  return product(named('sgn'), math);
-}
-
-/** @param {[Math, Math][]} rows a value, and where it holds */
-function cases(...rows) {
-  return mathml`<mtable class="cases" displaystyle="true">${rows.map(([value, where]) => mathml`
-    <mtr><mtd>${value}</mtd><mtd>${where}</mtd></mtr>`)}</mtable>`;
 }

@@ -6,6 +6,9 @@
  * @typedef {ReturnType<Engine['eigenvalues']>[number]} Eigenvalue
  * @typedef {ReturnType<Engine['stabilityMap']>} StabilityMap
  * @typedef {ReturnType<Engine['hopfCurve']>[number]} BoundaryCurve
+ * @typedef {ReturnType<Engine['eigenmodes']>[number]} Mode
+ * @typedef {ReturnType<Engine['routhArray']>} RouthArray
+ * @typedef {ReturnType<Engine['routhHurwitz']>} RouthHurwitz
  * @typedef {'stable' | 'growthRate' | 'frequency' | 'kind'} Asked
  * @typedef {{ parameter: string, from: number, to: number }} Range of a parameter, in SI
  * @typedef {ReturnType<typeof linearLooks>} LinearLooks
@@ -31,11 +34,16 @@ export function linearLooks(engine, { model, parameters }) {
     /**
      * Row by row from the least `y`, values at the middle of cells.
      * @param {Range & { count: number }} x @param {Range & { count: number }} y @param {Asked[]} quantities
+     * @param {Readonly<Record<string, number>>} [values] that are others
      * @returns {StabilityMap}
      */
-    map: (x, y, quantities) => engine.stabilityMap({ model, parameters, x, y, quantities }),
-    /** Where in a plane stability ends. @param {Range} x @param {Range} y @returns {BoundaryCurve[]} */
-    boundary: (x, y) => engine.hopfCurve({ model, parameters, x, y }),
+    map: (x, y, quantities, values = {}) => engine.stabilityMap({ model, parameters: { ...parameters, ...values }, x, y, quantities }),
+    /** Where in a plane stability ends. @param {Range} x @param {Range} y @param {Readonly<Record<string, number>>} [values] that are others @returns {BoundaryCurve[]} */
+    boundary: (x, y, values = {}) => engine.hopfCurve({ model, parameters: { ...parameters, ...values }, x, y }),
+    /** What the gear does at each eigenvalue, in their order. */
+    modes: () => engine.eigenmodes({ model, parameters }),
+    routhArray: () => engine.routhArray({ model, parameters }),
+    routhHurwitz: () => engine.routhHurwitz({ model, parameters }),
     /**
      * A swing too small to be limited, as multiples of the angle that it starts from.
      * @param {number} duration in s @param {number} samples

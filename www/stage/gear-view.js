@@ -2,6 +2,7 @@ import { LitElement, html } from 'lit';
 import { tell } from '../command.js';
 import '../view/canvas.js';
 import { magnifications } from '../run/fit.js';
+import { ModeGhost } from '../run/mode-ghost.js';
 import { gearEn, gearTr } from '../words/gear.js';
 import { gearAtRest } from './at-rest.js';
 import { drawGear, sheetFor, trackLength } from './gear/draw.js';
@@ -39,6 +40,7 @@ export class GearView extends LitElement {
     magnification: { attribute: false },
     angle: { attribute: false },
     isBig: { attribute: false },
+    eigenmode: { attribute: false },
     layout: { state: true },
     isFromSide: { state: true },
   };
@@ -50,6 +52,8 @@ export class GearView extends LitElement {
   /** Where a mouse is. @type {Point | null} */ #mouse = null;
   /** Where a finger beside the wheel came down. @type {{ pointer: number, at: Point } | null} */ #swipe = null;
   /** What sets each ghost apart. @type {string[]} */ #labels = [];
+  #modes = new ModeGhost();
+  /** @type {import('./gear/scene.js').Ghost | null} */ #modeGhost = null;
   #endWatch = () => {};
 
   constructor() {
@@ -60,6 +64,7 @@ export class GearView extends LitElement {
     this.isPlaying = false;
     /** @type {Quantity[]} */ this.quantities = [];
     /** Chosen by hand; null where each run chooses. @type {number | null} */ this.magnification = null;
+    /** The mode that moves as a ghost, by its name; null where none does. @type {string | null} */ this.eigenmode = null;
     /** ψ as it was told last, in rad. */ this.angle = 0;
     /** Whether the verdict takes the room of the side view. */ this.isBig = false;
     this.layout = layoutName();
@@ -138,6 +143,7 @@ export class GearView extends LitElement {
     this.#scene = scene;
     this.#frame = frame;
     this.#theme = theme;
+    this.#modeGhost = scene && this.eigenmode !== null ? this.#ghostOfMode(scene, this.eigenmode) : null;
     this.#redraw();
     this.#showCursor();
   }
@@ -200,13 +206,23 @@ export class GearView extends LitElement {
     const { state, parameters, forces, track, roll, extremes, trail, fan, scales } = scene;
     return {
       state, parameters, forces, track, roll, extremes, trail, fan, layout,
-      ghosts: scene.ghosts.map((ghost, i) => ({ ...ghost, label: this.#labels[i] ?? '' })),
+      ghosts: [...scene.ghosts.map((ghost, i) => ({ ...ghost, label: this.#labels[i] ?? '' })), ...(this.#modeGhost ? [this.#modeGhost] : [])],
       held: this.isHeld,
       focused: this.#wheelElement?.isFocused ?? false,
       exposure: parameters.velocity * this.#frame,
       magnification: scales.magnification,
       forceScale: scales.forces,
     };
+  }
+
+  /** @param {Scene} scene @param {string} name @returns {import('./gear/scene.js').Ghost | null} */
+  #ghostOfMode(scene, name) {
+    const { voice } = this;
+    const ghost = this.#modes.look(scene, name);
+    if (!ghost || !voice) return null;
+    const { re, im } = ghost.mode.eigenvalue;
+    const label = im > 0 ? voice.say('modes.ghost', { frequency: voice.number(im / (2 * Math.PI), 1) }) : voice.say('modes.ghost.real', { rate: voice.number(re, 1) });
+    return { ...ghost, label: scene.linear.isGapped ? voice.say('stability.linear', { what: label }) : label };
   }
 
   /** Lays the wheel for the keyboard over the drawn one, and the magnification over the foot of the top view. */

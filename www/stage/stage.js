@@ -36,6 +36,7 @@ export class Stage extends LitElement {
     quantities: { attribute: false },
     ghostCount: { attribute: false },
     views: { attribute: false },
+    eigenmode: { attribute: false },
     step: { attribute: false },
     failure: { attribute: false },
     isStopped: { attribute: false },
@@ -65,6 +66,7 @@ export class Stage extends LitElement {
     /** @type {import('../controls/quantity.js').Quantity[]} */ this.quantities = [];
     this.ghostCount = 0;
     /** What the timeline shows, among others. @type {Readonly<Record<string, string>>} */ this.views = {};
+    /** The mode that moves as a ghost on the gear, by its name; null where none does. @type {string | null} */ this.eigenmode = null;
     this.step = 0.001;
     this.failure = '';
     /** Whether the run has left what can be computed. */
@@ -89,7 +91,7 @@ export class Stage extends LitElement {
     return html`
       <div class="gear" role="group" aria-label=${voice.say('stage.name')}>
         <shimmy-gear .voice=${voice} .isReady=${this.isReady} .isHeld=${this.isHeld} .isPlaying=${this.isPlaying} .isBig=${this.isBig}
-          .quantities=${this.quantities} .magnification=${chosenMagnification(this.views)} .angle=${angle}></shimmy-gear>
+          .quantities=${this.quantities} .magnification=${chosenMagnification(this.views)} .eigenmode=${this.eigenmode} .angle=${angle}></shimmy-gear>
         <shimmy-verdict .voice=${voice} .outlook=${this.outlook} .isHeld=${this.isHeld} .angle=${angle}
           .occasion=${this.occasion} .isVeiled=${this.isVeiled} .message=${this.#message(voice)}></shimmy-verdict>
       </div>

@@ -51,3 +51,14 @@ export function energyWriter(whole, voice) {
   const decimals = decimalsFor(whole / size, 3);
   return (value) => `${voice.number(value / size, decimals)} ${unit}`;
 }
+
+/**
+ * Writes growth rates of one balance with as many decimals as tell its whole to three digits.
+ * @param {number} whole in 1/s
+ * @param {import('../words/voice.js').Voice} voice
+ * @returns {(value: number) => string}
+ */
+export function rateWriter(whole, voice) {
+  const decimals = decimalsFor(whole, 3);
+  return (value) => `${voice.number(value, decimals)} ${voice.say('stability.perSecond')}`;
+}

@@ -1,6 +1,6 @@
 import { LitElement, html } from 'lit';
 import { styleMap } from 'lit/directives/style-map.js';
-import { balanceOf, energyWriter } from './energy-balance.js';
+import { balanceOf, energyWriter, rateWriter } from './energy-balance.js';
 
 /**
  * @typedef {import('./energy-balance.js').Energy} Energy
@@ -12,17 +12,19 @@ import { balanceOf, energyWriter } from './energy-balance.js';
 const small = 0.2;
 
 /**
- * Why a swing grows, lasts or falls: what the tire feeds in over a cycle against what damper and tread take out.
+ * Why a swing grows, lasts or falls: what the tire feeds in over a cycle against what damper and tread take out; with
+ * `areRates`, the same of a mode, each part as the growth rate that it alone would give.
  * `veiled` hides all of it until it has been guessed.
  */
 export class EnergyBars extends LitElement {
-  static properties = { energy: { attribute: false }, voice: { attribute: false }, veiled: { type: Boolean } };
+  static properties = { energy: { attribute: false }, voice: { attribute: false }, veiled: { type: Boolean }, areRates: { type: Boolean } };
 
   constructor() {
     super();
     /** @type {Energy | null} */ this.energy = null;
     /** @type {Voice | null} */ this.voice = null;
     this.veiled = false;
+    this.areRates = false;
   }
 
   createRenderRoot() {
@@ -39,7 +41,9 @@ export class EnergyBars extends LitElement {
     }
     const { trend, fed, taken, rest, whole } = balanceOf(this.energy);
     if (trend === 'rests') return html`<h2>${voice.say('energy.name')}</h2><p class="sentence">${voice.say('energy.rests')}</p>`;
-    const write = energyWriter(whole, voice);
+    const write = this.areRates ? rateWriter(whole, voice) : energyWriter(whole, voice);
+    const title = voice.say(this.areRates ? `modes.energy.${trend}.title` : `energy.${trend}.title`);
+    const sentence = voice.say(this.areRates ? `modes.energy.${trend}` : `energy.${trend}`, { value: write(rest) });
     const bar = (/** @type {Part} */ { element, value }, isNamed = true) => html`
       <span class="part ${element}" style=${styleMap({ flexGrow: String(value / whole) })}>
         <span class="label"><b>${write(value)}</b>${isNamed ? html` <span>${voice.say(`energy.${element}`)}</span>` : ''}</span>
@@ -50,14 +54,14 @@ export class EnergyBars extends LitElement {
     const remainder = html`
       <span class="part remainder ${trend}" style=${styleMap({ flexGrow: String(rest / whole) })}><span class="label"><b>${trend === 'grows' ? '+' : '−'}${write(rest)}</b></span></span>`;
     return html`
-      <h2>${voice.say(`energy.${trend}.title`)}</h2>
+      <h2>${title}</h2>
       <dl>
         <dt>${voice.say('energy.in')}</dt>
         <dd>${fed.map((one) => bar(one, one.element !== 'tire'))}${trend === 'falls' ? remainder : ''}</dd>
         <dt>${voice.say('energy.out')}</dt>
         <dd>${taken.map((one) => bar(one))}${trend === 'grows' ? remainder : ''}</dd>
       </dl>
-      <p class="sentence">${[voice.say(`energy.${trend}`, { value: write(rest) }), ...taken.filter(isUnusual).map(said)].join(' ')}</p>`;
+      <p class="sentence">${[sentence, ...taken.filter(isUnusual).map(said)].join(' ')}</p>`;
   }
 }
 

@@ -13,7 +13,7 @@
  */
 
 /** The views, the first is the usual one; what each is stands in views.js. */
-export const viewNames = /** @type {const} */ (['plane', 'roots', 'locus']);
+export const viewNames = /** @type {const} */ (['plane', 'roots', 'locus', 'modes', 'routh']);
 
 export const colorings = /** @type {const} */ (['growthRate', 'stable', 'frequency']);
 

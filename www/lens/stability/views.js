@@ -1,6 +1,9 @@
 import { LocusView } from './locus-view.js';
+import './modes.js';
+import { panelView } from './panel-view.js';
 import { PlaneView } from './plane-view.js';
 import { RootsView } from './roots-view.js';
+import './routh.js';
 
 /**
  * The views of the lens *Stability*. A new one is a file here, its line in this list, its name in settings.js and in
@@ -16,4 +19,6 @@ import { RootsView } from './roots-view.js';
  */
 
 /** @type {Readonly<Record<typeof import('./settings.js').viewNames[number], new (lens: import('../stability.js').StabilityLens) => View>>} */
-export const stabilityViews = { plane: PlaneView, roots: RootsView, locus: LocusView };
+export const stabilityViews = {
+  plane: PlaneView, roots: RootsView, locus: LocusView, modes: panelView('modes'), routh: panelView('routh'),
+};

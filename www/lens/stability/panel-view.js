@@ -1,0 +1,42 @@
+import { html, unsafeStatic } from 'lit/static-html.js';
+
+/**
+ * A view that is an element of its own, a panel.js, called `shimmy-<name>`: it draws itself when the gear has changed. The line
+ * under it is `panel.line.<name>`.
+ *
+ * @typedef {import('./views.js').View} View
+ * @typedef {import('../stability.js').StabilityLens} StabilityLens
+ *
+ * @param {string} name
+ * @returns {new (lens: StabilityLens) => View}
+ */
+export const panelView = (name) => class {
+  #lens;
+
+  /** @param {StabilityLens} lens */
+  constructor(lens) {
+    this.#lens = lens;
+  }
+
+  /** @type {View['template']} */
+  template(voice) {
+    const { quantities, settings, isVeiled } = this.#lens;
+    const tag = unsafeStatic(`shimmy-${name}`);
+    return html`<${tag} class="stability-panel" .voice=${voice} .quantities=${quantities} .settings=${settings} .isVeiled=${isVeiled}></${tag}>`;
+  }
+
+  /** @type {View['line']} */
+  line(voice) {
+    const line = voice.say(/** @type {import('../../words/voice.js').Key} */ (`panel.line.${name}`));
+    return html`<p>${this.#lens.isGapped ? voice.say('panel.gapped', { line }) : line}</p>`;
+  }
+
+  /** A panel draws itself. */
+  stale() {}
+
+  /** @type {View['draw']} */
+  draw(scene) {
+    const panel = /** @type {import('./panel.js').Panel | null} */ (this.#lens.querySelector('.stability-panel'));
+    if (panel && this.#lens.theme) panel.draw(scene, this.#lens.theme);
+  }
+};

@@ -1,0 +1,30 @@
+/**
+ * What one reads off Routh's array by eye.
+ *
+ * @typedef {{ terms: number[], than: number | null, value: number, bound: number, isMet: boolean }} Condition the product of the
+ *   coefficients a with these indices is greater than the one with index `than`, or than 0
+ */
+
+/**
+ * Where in a first column the sign changes, row by row: from the row above to this one. A row of zero has no sign.
+ * @param {readonly number[]} column
+ */
+export function signChanges(column) {
+  return column.map((value, i) => {
+    const above = column.slice(0, i).findLast((one) => one !== 0) ?? value;
+    return value * above < 0;
+  });
+}
+
+/**
+ * The conditions as the textbooks write them for a third degree; for others none, the array says it all.
+ * @param {readonly number[]} coefficients highest power (1) first
+ * @returns {Condition[]}
+ */
+export function conditionsOf(coefficients) {
+  if (coefficients.length !== 4) return [];
+  const [, a2, a1, a0] = coefficients;
+  const condition = (/** @type {number[]} */ terms, /** @type {number | null} */ than, /** @type {number} */ value, /** @type {number} */ bound) =>
+    ({ terms, than, value, bound, isMet: value > bound });
+  return [condition([2], null, a2, 0), condition([0], null, a0, 0), condition([2, 1], 0, a2 * a1, a0)];
+}
