@@ -16,7 +16,8 @@
 
 import { isVelocityUnit } from '../controls/unit.js';
 import { lenses } from '../lens/lenses.js';
-import { readLocus, readPlane } from '../lens/stability/settings.js';
+import { readBeside } from '../lens/stability/beside-settings.js';
+import { isMode, isSorting, readLocus, readPlane } from '../lens/stability/settings.js';
 import { hasView } from '../lens/views.js';
 import { magnifications } from '../run/fit.js';
 import { mostGhosts } from '../run/ghosts.js';
@@ -159,6 +160,12 @@ export const readers = {
     const locus = readLocus(value, reading.table.parameters);
     return locus ? looked(reading, 'locus', value, locus.family ? [locus.sweep, locus.family] : [locus.sweep]) : 'unclear';
   },
+  'view.beside': (reading, value) => {
+    const beside = readBeside(value, reading.table.parameters);
+    if (!beside) return 'unclear';
+    const areTaken = beside.lists.every(({ parameter, values }) => values.every((one) => accepted(reading, { [parameter]: one }, {})));
+    return areTaken ? looked(reading, 'beside', value, [beside.x, beside.y]) : 'refused';
+  },
   story: ({ state }, value) => {
     const [name, step = '0'] = value.split(',');
     if (!/^[\w.-]+$/.test(name) || !/^\d{1,3}$/.test(step)) return 'unclear';
@@ -188,6 +195,8 @@ export const readers = {
 const viewed = {
   timeline: (value, { state }) => state.some(({ name }) => name === value),
   magnification: (value) => magnifications.some((factor) => String(factor) === value),
+  mode: isMode,
+  besideSort: isSorting,
 };
 
 /**

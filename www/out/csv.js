@@ -1,3 +1,5 @@
+import { headerOf } from './table-csv.js';
+
 /**
  * Series as CSV (RFC 4180): one header row with units, SI, "." as the decimal sign, every number so that it reads back
  * to the last bit. No comment lines: spreadsheets would show them as data, and pandas and NumPy would trip over them.
@@ -9,12 +11,7 @@
 export function csvOf(columns, { state }) {
   const series = /** @type {Record<string, ArrayLike<number>>} */ (columns);
   const named = [{ name: 'time', unit: 's' }, ...state];
-  const rows = [named.map(({ name, unit }) => quoted(unit === '1' ? name : `${name} (${unit})`)).join(',')];
+  const rows = [headerOf(named)];
   for (let i = 0; i < series.time.length; i++) rows.push(named.map(({ name }) => series[name][i]).join(','));
   return `${rows.join('\r\n')}\r\n`;
-}
-
-/** @param {string} field */
-function quoted(field) {
-  return /[",\r\n]/.test(field) ? `"${field.replaceAll('"', '""')}"` : field;
 }

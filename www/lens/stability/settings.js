@@ -4,6 +4,9 @@
  *     view.stability=locus                                             which view
  *     view.plane=velocity:0.5:100,dampingConstant:0:100,growthRate     to the right, upward, color
  *     view.locus=velocity:0.5:100,casterLength:0:0.5:6                 what is swept, and six values of another
+ *     view.mode=pair-1                                                 which mode
+ *     view.beside=…                                                    see beside-settings.js
+ *     view.besideSort=share,down                                       by which column its table is sorted
  *
  * @typedef {import('../../run/linear-looks.js').Range} Range
  * @typedef {typeof colorings[number]} Coloring
@@ -13,7 +16,7 @@
  */
 
 /** The views, the first is the usual one; what each is stands in views.js. */
-export const viewNames = /** @type {const} */ (['plane', 'roots', 'locus', 'modes', 'routh']);
+export const viewNames = /** @type {const} */ (['plane', 'roots', 'locus', 'modes', 'routh', 'beside']);
 
 export const colorings = /** @type {const} */ (['growthRate', 'stable', 'frequency']);
 
@@ -94,7 +97,7 @@ export function writeLocus({ sweep, family }) {
 }
 
 /** @param {string} text @param {readonly { name: string }[]} parameters @returns {Range | null} */
-function readRange(text, parameters) {
+export function readRange(text, parameters) {
   const [name, from, to, ...more] = text.split(':');
   const isNumber = (/** @type {string | undefined} */ one) => one !== undefined && one !== '' && Number.isFinite(Number(one));
   if (!parameters.some((one) => one.name === name) || !isNumber(from) || !isNumber(to) || more.length > 0) return null;
@@ -102,6 +105,12 @@ function readRange(text, parameters) {
 }
 
 /** @param {Range} range */
-function writeRange({ parameter, from, to }) {
+export function writeRange({ parameter, from, to }) {
   return `${parameter}:${from}:${to}`;
 }
+
+/** Whether a mode could be called so: `pair-1`, `real-2`. @param {string} text */
+export const isMode = (text) => /^(pair|real)-[1-9]$/.test(text);
+
+/** Whether a table can be sorted so: by a column, or not. @param {string} text */
+export const isSorting = (text) => text === 'none' || /^[A-Za-z]{1,40},(up|down)$/.test(text);

@@ -1,3 +1,4 @@
+import './beside.js';
 import { LocusView } from './locus-view.js';
 import './modes.js';
 import { panelView } from './panel-view.js';
@@ -21,4 +22,5 @@ import './routh.js';
 /** @type {Readonly<Record<typeof import('./settings.js').viewNames[number], new (lens: import('../stability.js').StabilityLens) => View>>} */
 export const stabilityViews = {
   plane: PlaneView, roots: RootsView, locus: LocusView, modes: panelView('modes'), routh: panelView('routh'),
+  beside: panelView('beside'),
 };

@@ -1,0 +1,111 @@
+import { drawBoundary } from './boundary.js';
+import { drawHatch } from './hatch.js';
+import { linear } from './scale.js';
+import { drawLabel, widthOfLabel } from './text.js';
+
+/**
+ * The same plane for several values, side by side: what is unstable tinted and hatched, the exact boundary, how much is
+ * stable, and the ranges once above all.
+ *
+ * @typedef {import('./axes.js').Box} Box
+ * @typedef {import('./text.js').Run} Run
+ * @typedef {import('../run/linear-looks.js').Range} Range
+ * @typedef {import('../run/linear-looks.js').BoundaryCurve} BoundaryCurve
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {{
+ *   image: CanvasImageSource | null, hatch: Float32Array | null, boundary: readonly BoundaryCurve[], label: Run[], share: string,
+ *   isOld: boolean, isNow: boolean,
+ * }} PlaneShown `image`: a pixel a cell; `isNow`: its values are the gear's; `isOld`: of values that are no more
+ * @typedef {{ x: Range, y: Range, ranges: string[], planes: readonly PlaneShown[], point: { x: number, y: number } }} Shown
+ *   `ranges`: in words, in fewer and fewer of them
+ */
+
+/** Narrower than this a plane is not read, in widths of small type; and its height by its width. */
+const [narrowest, shape] = [10, 0.72];
+const gap = 10;
+
+/**
+ * Where each plane goes: rows filled from the left, the words over each within its box.
+ * @param {number} width
+ * @param {number} count
+ * @param {Theme} theme
+ * @param {{ isTall: boolean }} words whether they take two lines
+ * @returns {{ height: number, top: number, boxes: Box[], plots: Box[] }} `top`: where the ranges stand; `plots`: without the words
+ */
+export function layBeside(width, count, theme, { isTall }) {
+  const edge = theme.size * 1.6;
+  const inner = width - 2 * edge;
+  const most = Math.max(1, Math.floor((inner + gap) / (theme.size * narrowest + gap)));
+  // Rows as equal as can be.
+  const columns = Math.ceil(count / Math.ceil(count / most));
+  const wide = Math.floor((inner - (columns - 1) * gap) / columns);
+  const words = theme.size * (isTall ? 3 : 1.7);
+  const tall = words + Math.round(shape * wide);
+  const top = theme.size * 1.8;
+  const boxes = Array.from({ length: count }, (_, i) => {
+    const [column, row] = [i % columns, Math.floor(i / columns)];
+    const [left, upper] = [edge + column * (wide + gap), top + theme.size * 0.4 + row * (tall + gap)];
+    return { left, right: left + wide, top: upper, bottom: upper + tall };
+  });
+  return { height: (boxes[count - 1]?.bottom ?? top) + gap, top, boxes, plots: boxes.map((box) => ({ ...box, top: box.top + words })) };
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {import('./canvas.js').Size} size
+ * @param {Shown} shown
+ * @param {ReturnType<typeof layBeside>} layout
+ * @param {Theme} theme
+ */
+export function drawPlanesBeside(context, { width }, { x, y, ranges, planes, point }, { top, boxes, plots }, theme) {
+  context.fillStyle = theme.ink2;
+  const room = width - 3.2 * theme.size;
+  const words = ranges.find((text) => widthOfLabel(context, [{ text }], theme) <= room) ?? ranges[ranges.length - 1];
+  drawLabel(context, [{ text: words }], theme.size * 1.6, top - theme.size * 0.6, theme);
+  planes.forEach((plane, i) => {
+    const [box, plot] = [boxes[i], plots[i]];
+    if (!box) return;
+    const isTwoLines = plot.top - box.top > 2 * theme.size;
+    context.fillStyle = theme.ink;
+    drawLabel(context, plane.label, box.left, box.top + theme.size * 1.15, theme, { weight: 600 });
+    drawLabel(context, [{ text: plane.share }], isTwoLines ? box.left : box.right, box.top + theme.size * (isTwoLines ? 2.5 : 1.15), theme, { align: isTwoLines ? 'left' : 'right' });
+    drawPlane(context, plot, plane, { x, y, point }, theme);
+  });
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Box} plot @param {PlaneShown} plane @param {Pick<Shown, 'x' | 'y' | 'point'>} where @param {Theme} theme */
+function drawPlane(context, { left, right, top, bottom }, { image, hatch, boundary, isOld, isNow }, { x, y, point }, theme) {
+  const place = { x: linear([x.from, x.to], [left, right]), y: linear([y.from, y.to], [bottom, top]) };
+  context.save();
+  context.beginPath();
+  context.rect(left, top, right - left, bottom - top);
+  context.clip();
+  context.globalAlpha = isOld ? 0.4 : 1;
+  if (image) context.drawImage(image, left, top, right - left, bottom - top);
+  if (hatch) {
+    context.translate(left, top);
+    drawHatch(context, hatch, theme);
+    context.translate(-left, -top);
+  }
+  context.globalAlpha = isOld ? 0.4 : 1;
+  if (!isOld) drawBoundary(context, boundary, place.x, place.y, theme);
+  if (isNow) {
+    const ring = 4 * Math.sqrt(theme.line);
+    for (const [color, wide] of /** @type {const} */ ([[theme.surface, 5], [theme.ink, 2]])) {
+      context.strokeStyle = color;
+      context.lineWidth = wide * theme.line;
+      context.beginPath();
+      context.arc(place.x(point.x), place.y(point.y), ring, 0, 2 * Math.PI);
+      context.stroke();
+    }
+  }
+  context.restore();
+  context.strokeStyle = isNow ? theme.ink : theme.ghost;
+  context.lineWidth = (isNow ? 2 : 1) * theme.line;
+  context.strokeRect(left + 0.5, top + 0.5, right - left - 1, bottom - top - 1);
+}
+
+/** How wide the words over a plane are, in one line. @param {CanvasRenderingContext2D} context @param {Pick<PlaneShown, 'label' | 'share'>} plane @param {Theme} theme */
+export function widthOfWords(context, { label, share }, theme) {
+  return widthOfLabel(context, label, theme, 600) + theme.size + widthOfLabel(context, [{ text: share }], theme);
+}
