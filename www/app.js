@@ -211,6 +211,7 @@ export class App {
       this.store.open(change);
     } else this.store.follow(change);
     this.ink.bring(read.drawn);
+    this.isDrawerOpen = told(this)?.step.state.drawer ?? false;
     this.act = null;
     if (this.isVeiled) this.clock.pause();
     const note = noteOn(read.problems, this.voice);

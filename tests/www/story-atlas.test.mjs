@@ -1,34 +1,104 @@
-// Every figure from 5.59 to 6.24 opens as what it is, and has its title in both languages.
+// Every figure from 5.5 to 6.24 and tables 5.1 to 5.7 open as what they are, with their titles in both languages.
 
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { lenses } from '../../www/lens/lenses.js';
+import { besideOf, planesOf } from '../../www/lens/stability/beside-settings.js';
+import { locusOf, planeOf } from '../../www/lens/stability/settings.js';
 import { figuresOf } from '../../www/story/atlas.js';
 import { figureTitle, lookOf, titleOf } from '../../www/story/title.js';
 import { voiceOf } from '../../www/words/voice.js';
 import { engine, openedApp, sessionOf } from './stories.mjs';
+import { indexOf, search } from '../../www/story/search.js';
 
 const entries = engine.atlas();
 const figures = figuresOf(entries);
 const [english, turkish] = [voiceOf('en'), voiceOf('tr')];
 
-/** Whether a figure is one of 5.59 … 6.24. @param {string} id */
+/** Whether a figure is a motion or a law of 5.59 … 6.24. @param {string} id */
 const isOurs = (id) => {
   const [, chapter, number] = id.match(/^Figure (\d)\.(\d+)/)?.map(Number) ?? [];
   return (chapter === 5 && number >= 59) || (chapter === 6 && number <= 24);
 };
 const ours = figures.filter(({ entry }) => entry && isOurs(entry.id));
 
-test('the atlas is whole: 283 figures and tables, 153 of them for this page', () => {
+/** Linear theory: figures 5.5 … 5.58 and tables 5.1 … 5.7. @param {string} id */
+const isTheory = (id) => {
+  const [, kind, number] = id.match(/^(Figure|Table) 5\.(\d+)$/) ?? [];
+  return kind === 'Table' ? Number(number) <= 7 : Number(number) >= 5 && Number(number) <= 58;
+};
+const theory = figures.filter(({ entry }) => entry && isTheory(entry.id));
+
+test('the atlas is whole: 283 figures and tables, 153 motions and laws and 61 of linear theory for this page', () => {
   assert.equal(figures.length, 283);
   assert.equal(new Set(figures.map(({ name }) => name)).size, 283);
   assert.equal(ours.length, 153);
+  assert.equal(theory.length, 61);
 });
 
-test('each of the 153 can be opened where its lens is there; nothing that needs more can', () => {
-  const hasForces = lenses.some(({ name, ready }) => name === 'forces' && ready);
-  for (const { name, entry, isReady } of ours) assert.equal(isReady, entry?.view === 'freeplay-law' ? hasForces : true, name);
-  for (const { entry, isReady, name } of figures) if (!ours.some((one) => one.name === name)) assert.ok(!isReady, `${name} ${entry?.view}`);
+test('each of them can be opened where its lens is there; nothing that needs more can', () => {
+  const has = (/** @type {string} */ lens) => lenses.some(({ name, ready }) => name === lens && ready);
+  for (const { name, entry, isReady } of ours) assert.equal(isReady, entry?.view === 'freeplay-law' ? has('forces') : true, name);
+  for (const { name, isReady } of theory) assert.equal(isReady, name === 'table-5.1' || has('stability'), name);
+  for (const { entry, isReady, name } of figures) if (![...ours, ...theory].some((one) => one.name === name)) assert.ok(!isReady, `${name} ${entry?.view}`);
+});
+
+test('each plane opens on the gear and the ranges of its figure, and its link opens the same', () => {
+  const app = openedApp();
+  const usual = engine.models()[0].parameters;
+  for (const { name, entry } of theory) {
+    if (entry?.view !== 'stability-map') continue;
+    app.run('open', name);
+    const { object, parameters, lens, views } = app.state;
+    assert.equal(object, 'torsional', name);
+    assert.deepEqual(parameters, { ...Object.fromEntries(usual.map((one) => [one.name, one.default])), ...entry.map?.parameters }, name);
+    assert.deepEqual([lens, views.stability], ['stability', 'plane']);
+    const { x, y } = planeOf(views.plane, usual);
+    for (const [side, wanted] of [[x, entry.map?.x], [y, entry.map?.y]]) assert.deepEqual(side, { parameter: wanted.parameter, from: wanted.from, to: wanted.to }, name);
+    // Where σ or κ are not what a, F_z and c_Fα give they stay as the thesis has them.
+    assert.equal(app.state.links.relaxationLength, Math.abs(parameters.relaxationLength / 3 - parameters.halfContactLength) < 1e-12, name);
+    const again = openedApp(app.link);
+    assert.deepEqual([again.notes, again.state.views, again.state.parameters, again.state.story], [[], views, parameters, { name, step: 0 }], name);
+  }
+});
+
+test('figure 5.5 opens on its loci, the tables on their planes, their cases and their values', () => {
+  const app = openedApp();
+  app.run('open', 'figure-5.5');
+  assert.deepEqual([app.state.object, app.state.lens, app.state.views.stability], ['torsional-linear', 'stability', 'locus']);
+  const { sweep, family } = locusOf(app.state.views.locus, engine.models()[0].parameters);
+  assert.deepEqual([sweep.parameter, family?.parameter].sort(), theory[0].entry?.vary.toSorted());
+  /** @type {[string, string[], number][]} */
+  const tables = [
+    ['5.2', ['casterLength', 'torsionalStiffness'], 3], ['5.3', ['dampingConstant', 'relaxationLength'], 7], ['5.4', ['dampingConstant', 'verticalForce'], 3],
+    ['5.5', ['casterLength', 'halfContactLength', 'torsionalStiffness'], 12], ['5.6', ['dampingConstant', 'casterLength', 'relaxationLength'], 28],
+  ];
+  for (const [number, names, count] of tables) {
+    app.run('open', `table-${number}`);
+    assert.deepEqual([app.state.lens, app.state.views.stability, app.isDrawerOpen], ['stability', 'beside', false]);
+    const beside = besideOf(app.state.views.beside, engine.models()[0].parameters);
+    assert.deepEqual([beside?.x.parameter, beside?.y.parameter, ...(beside?.lists ?? []).map(({ parameter }) => parameter)], ['velocity', ...names], number);
+    assert.equal(beside && planesOf(beside).length, count);
+    const again = openedApp(app.link);
+    assert.deepEqual([again.notes, again.state.views, again.state.story], [[], app.state.views, { name: `table-${number}`, step: 0 }]);
+  }
+  app.run('open', 'table-5.7');
+  assert.deepEqual(app.state.views, { stability: 'histories' });
+  app.run('open', 'table-5.1');
+  assert.ok(app.isDrawerOpen);
+  assert.ok(openedApp(app.link).isDrawerOpen, 'shared as a link it opens on the values, too');
+  app.run('open', 'figure-5.6');
+  assert.ok(!app.isDrawerOpen);
+  assert.ok(!openedApp(app.link).isDrawerOpen);
+});
+
+test('they are found by their number and by their words, in both languages', () => {
+  const index = indexOf(figures, [english, turkish]);
+  const found = (/** @type {string} */ query) => search(index, query).map(({ story }) => story.name);
+  assert.deepEqual(found('figure 5.31'), ['figure-5.31']);
+  assert.ok(found('table 5.6').includes('table-5.6') && found('tablo 5.6').includes('table-5.6'));
+  assert.ok(found('stability sigma 0.02').includes('figure-5.9') || found('stability 0.02').includes('figure-5.9'));
+  assert.ok(found('kararlılık').includes('figure-5.6'));
 });
 
 test('each opens with the object, values and start of its figure, seen as the figure shows it', () => {

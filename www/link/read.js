@@ -17,7 +17,7 @@
 import { isVelocityUnit } from '../controls/unit.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
-import { isMode, isSorting, readLocus, readPlane } from '../lens/stability/settings.js';
+import { isHistories, isMode, isSorting, readLocus, readPlane } from '../lens/stability/settings.js';
 import { hasView } from '../lens/views.js';
 import { magnifications } from '../run/fit.js';
 import { mostGhosts } from '../run/ghosts.js';
@@ -197,6 +197,8 @@ const viewed = {
   magnification: (value) => magnifications.some((factor) => String(factor) === value),
   mode: isMode,
   besideSort: isSorting,
+  histories: isHistories,
+  casesSort: isSorting,
 };
 
 /**

@@ -14,14 +14,17 @@
  * @typedef {ReturnType<typeof linearLooks>} LinearLooks
  */
 
+import { linearCases, linearHistories } from './linear-histories.js';
+
 /** A swing so small that neither tire nor gap can limit it, however long it grows here, in rad: it goes as linear theory says. */
 const tiny = 1e-12;
 
 /**
  * @param {Engine} engine
  * @param {{ model: string, parameters: Readonly<Record<string, number>> }} gear
+ * @param {() => Readonly<Record<string, number>>} [start] the state that its run starts from
  */
-export function linearLooks(engine, { model, parameters }) {
+export function linearLooks(engine, { model, parameters }, start = () => ({})) {
   return {
     /** Half of the gap: where it is not 0, a swing that has left it is not what linear theory speaks of. */
     isGapped: (parameters.freeplayAngle ?? 0) > 0,
@@ -44,6 +47,10 @@ export function linearLooks(engine, { model, parameters }) {
     modes: () => engine.eigenmodes({ model, parameters }),
     routhArray: () => engine.routhArray({ model, parameters }),
     routhHurwitz: () => engine.routhHurwitz({ model, parameters }),
+    /** Its motion from where the run started, by linear theory and in full. @param {number} duration in s @param {number} samples */
+    histories: (duration, samples) => linearHistories(engine, { model, parameters, initial: start() }, duration, samples),
+    /** What linear theory says of the thesis' cases. */
+    cases: () => linearCases(engine),
     /**
      * A swing too small to be limited, as multiples of the angle that it starts from.
      * @param {number} duration in s @param {number} samples

@@ -138,7 +138,7 @@ function looksFurther(engine, live, beat) {
     /** The forces along a part of a run or of a ghost. @param {string} of @param {Readonly<Record<string, number>>} values @param {import('../engine/engine.js').Columns} states */
     forcesAlong: (of, values, states) => engine.forcesAlong({ model: of, parameters: values }, states),
     /** What linear theory says of the gear as it is. */
-    linear: linearLooks(engine, model),
+    linear: linearLooks(engine, model, () => live.recipe.initial),
     /** The forces of a ghost at its state. @param {{ kept: { object: string }, parameters: Readonly<Record<string, number>>, state: Float64Array }} ghost */
     forcesOf: (ghost) => engine.forces({ model: ghost.kept.object, parameters: ghost.parameters }, ghost.state),
   };

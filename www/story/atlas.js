@@ -8,23 +8,48 @@
  */
 
 import { lenses } from '../lens/lenses.js';
+import { readyBesides } from '../lens/stability/beside-settings.js';
+import { thesisLocus, writePlane } from '../lens/stability/settings.js';
 import { isReady } from '../object/objects.js';
 
 /** What of a run the page can set; a run with more (a damper, a landing) is not its yet. */
 const known = ['model', 'parameters', 'initial', 'duration'];
 
-/** How the kinds of figures are looked at. @type {Readonly<Record<string, (entry: AtlasEntry) => Pick<Setting, 'lens' | 'views'>>>} */
+/**
+ * How the kinds of figures are looked at; undefined where this page cannot yet.
+ * @type {Readonly<Record<string, (entry: AtlasEntry) => Pick<Setting, 'lens' | 'views' | 'drawer'> | undefined>>}
+ */
 const looks = {
   'time-history': ({ show }) => ({ lens: 'phase', views: { timeline: show?.[0] ?? 'torsionAngle' } }),
   'phase-2d': () => ({ lens: 'phase', views: { phase: 'portrait' } }),
   'phase-3d': () => ({ lens: 'phase', views: { phase: 'orbit' } }),
   'freeplay-law': () => ({ lens: 'forces', views: { forces: 'restoringMoment' } }),
+  'root-locus': () => ({ lens: 'stability', views: { stability: 'locus', locus: thesisLocus } }),
+  'stability-map': ({ map }) => ({ lens: 'stability', views: { stability: 'plane', plane: writePlane({ x: map?.x, y: map?.y, coloring: 'stable' }) } }),
+  table: ({ id }) => tables[id.split(' ')[1]],
+};
+
+/** How tables are looked at, by their numbers. @type {Readonly<Record<string, Pick<Setting, 'lens' | 'views' | 'drawer'>>>} */
+const tables = {
+  5.1: { drawer: true },
+  ...Object.fromEntries(readyBesides.filter(({ table }) => table).map(({ table, text }) => [table, { lens: 'stability', views: { stability: 'beside', beside: text } }])),
+  5.7: { lens: 'stability', views: { stability: 'histories' } },
 };
 
 /** The law of the freeplay has no run: a gear that rattles shows it. @type {NonNullable<AtlasEntry['run']>} */
 const rattling = {
   model: 'torsional', parameters: { velocity: 50, dampingConstant: 100, freeplayAngle: Math.PI / 180 }, initial: { torsionAngle: 0.05 },
 };
+
+/**
+ * What has no run of its own has one that shows it: a law a gear that rattles; a plane or a table the gear of the thesis, touched.
+ * @param {AtlasEntry} entry
+ * @returns {AtlasEntry['run']}
+ */
+function runOf({ view, run, map }) {
+  if (view === 'freeplay-law') return rattling;
+  return map || view === 'table' ? { model: 'torsional', parameters: map?.parameters, initial: { torsionAngle: 0.01 } } : run;
+}
 
 /** @param {readonly AtlasEntry[]} entries @returns {Story[]} in the order of the thesis, a chapter's tables after its figures */
 export function figuresOf(entries) {
@@ -40,14 +65,14 @@ function placeOf(name) {
 /** @param {AtlasEntry} entry @returns {Story} */
 function figureOf(entry) {
   const name = entry.id.toLowerCase().replace(' ', '-');
-  const run = entry.view === 'freeplay-law' ? rattling : entry.run;
-  const look = Object.hasOwn(looks, entry.view) ? looks[entry.view](entry) : null;
+  const run = runOf(entry);
+  const look = Object.hasOwn(looks, entry.view) ? looks[entry.view](entry) : undefined;
   if (!run || !look || !isReady(run.model) || Object.keys(run).some((key) => !known.includes(key)))
     return { name, kind: 'figure', entry, isReady: false, steps: [] };
   const { model, parameters, initial, duration } = run;
   return {
     name, kind: 'figure', entry,
-    isReady: lenses.some((lens) => lens.name === look.lens && lens.ready),
+    isReady: lenses.some((lens) => lens.name === (look.lens ?? lenses[0].name) && lens.ready),
     steps: [{ state: { object: model, parameters: parameters ?? {}, initial: initial ?? {}, duration: duration ?? undefined, ...look } }],
   };
 }

@@ -131,7 +131,7 @@ function show(app, story, at, isGoingOn) {
   const ghosts = (state.ghosts ?? []).map((ghost) => ({
     object, parameters: { ...parameters, ...ghost.parameters }, initial: { ...state.initial, ...ghost.initial }, from: 0,
   }));
-  app.isDrawerOpen = false;
+  app.isDrawerOpen = state.drawer ?? false;
   app.notes = [];
   store.open({
     object, parameters,

@@ -13,9 +13,10 @@
  *   clock?: State['clock'],
  *   knobs?: readonly string[],
  *   duration?: number,
+ *   drawer?: boolean,
  * }} Setting SI; values that are not named are at the engine's defaults. `ghosts`: runs beside it, each with what differs
  *   from its own; `knobs`: those that the dock shows, the first two on a projector; `duration`: what the timeline shows at
- *   least, in s
+ *   least, in s; `drawer`: whether all values are shown
  * @typedef {{ state: Setting, goesOn?: boolean, asks?: Readonly<Record<string, number>> }} Step
  *   `goesOn`: the run of the step before goes on where nothing was done to it; `asks`: a question, and the values that
  *   answer it when they are set

@@ -1,4 +1,5 @@
 import './beside.js';
+import './histories.js';
 import { LocusView } from './locus-view.js';
 import './modes.js';
 import { panelView } from './panel-view.js';
@@ -22,5 +23,5 @@ import './routh.js';
 /** @type {Readonly<Record<typeof import('./settings.js').viewNames[number], new (lens: import('../stability.js').StabilityLens) => View>>} */
 export const stabilityViews = {
   plane: PlaneView, roots: RootsView, locus: LocusView, modes: panelView('modes'), routh: panelView('routh'),
-  beside: panelView('beside'),
+  beside: panelView('beside'), histories: panelView('histories'),
 };
