@@ -269,7 +269,7 @@ test('what a pen draws stays with its view, is taken back stroke by stroke, and 
 });
 
 test('what a pen drew survives a reload, as the address carries it', async () => {
-  const { page, leave } = await open('', { reducedMotion: 'reduce' });
+  const { page, leave } = await site.open('', { reducedMotion: 'reduce' });
   await untilVerdict(page, 'It shimmies');
   await page.keyboard.press('d');
   await draw(page, gear, [[0.2, 0.3], [0.4, 0.6], [0.3, 0.8]]);
