@@ -87,6 +87,7 @@ impl Error {
     }
 
     /// An unknown `name` in `place`, with the nearest of the known ones.
+    #[inline(never)]
     pub fn unknown(code: Code, place: &str, name: &str, known: &[&'static str]) -> Self {
         let shown: String = name.chars().take(60).collect();
         Self {
@@ -105,11 +106,13 @@ impl Error {
     }
 
     /// The model `name` has no `what`.
+    #[inline(never)]
     pub(crate) fn without(name: &str, what: &str) -> Self {
         Self::new(Code::Unsuited, "model", name, format!("one with {what}, such as torsional"))
     }
 
     /// The same error with its field placed inside a record: `parameters.velocity`.
+    #[inline(never)]
     pub fn within(mut self, record: &str) -> Self {
         self.field = format!("{record}.{}", self.field);
         self

@@ -38,7 +38,7 @@
 //! | [`integrate`] | methods, dense output, switches, trajectories |
 //! | [`run`] | a run, checked; reading it from untyped input |
 //! | [`live`] | a motion that goes on, takes changes and finds back |
-//! | [`stability`] | linear theory: eigenvalues and modes, Routh–Hurwitz, critical values, unstable intervals |
+//! | [`stability`] | linear theory: eigenvalues and modes, Routh–Hurwitz, critical values, maps and boundaries |
 //! | [`energy`] | where a swing's energy comes from and where it goes |
 //! | [`outlook`] | what becomes of a motion: one word and its numbers |
 //! | [`spectrum`] | the frequencies that a series is made of |

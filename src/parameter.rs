@@ -66,6 +66,7 @@ impl Parameter {
 ///
 /// # Errors
 /// As [`Parameter::check`].
+#[inline(never)]
 pub fn check_number(name: &str, value: f64, validity: Validity, unit: &str) -> Result<f64> {
     let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
     let allowed = match validity {
@@ -111,6 +112,7 @@ pub struct StateVariable {
 ///
 /// # Errors
 /// An unknown name, with the nearest known one.
+#[inline(never)]
 pub fn parameter_index(table: &[Parameter], name: &str) -> Result<usize> {
     table.iter().position(|p| p.name == name).ok_or_else(|| {
         let known: Vec<_> = table.iter().map(|p| p.name).collect();

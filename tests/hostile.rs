@@ -106,6 +106,7 @@ fn value() -> impl Strategy<Value = Value> {
         number().prop_map(Value::Number),
         text().prop_map(Value::Text),
         prop::collection::vec(number(), 0..5).prop_map(Value::Numbers),
+        prop::collection::vec(text(), 1..3).prop_map(Value::Texts),
         Just(Value::Other("a function")),
     ];
     leaf.prop_recursive(4, 24, 4, |inner| {

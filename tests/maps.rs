@@ -3,55 +3,19 @@
 
 mod common;
 
-use common::{random::Random, reference};
-use nalgebra::{Complex, Matrix3};
+use common::{
+    planes::{LINKED, eigenvalues, link, random_axes, random_values, run_with},
+    random::Random,
+    reference,
+};
+use nalgebra::Complex;
 use shimmy::{
     Code, Run,
-    model::{Model, System, Torsional, TorsionalLinear},
-    parameter::Parameter,
-    real::Dual,
+    model::{Model, Torsional, TorsionalLinear},
     stability::{Cells, Links, MapSpec, Plane, Quantities, Tile},
 };
 
 const ALL: Quantities = Quantities { growth_rate: true, frequency: true, kind: true };
-const LINKED: Links = Links { relaxation_length: true, tread_width_moment_constant: true };
-
-/// A gear with these values, in the order of its table.
-fn run_with<M: Model<3>>(values: &[f64]) -> Run {
-    M::PARAMETERS
-        .iter()
-        .zip(values)
-        .fold(Run::of(M::NAME).unwrap(), |run, (p, value)| run.with(p.name, *value).unwrap())
-}
-
-/// The eigenvalues at rest, from the right-hand side by dual numbers: nothing of the closed form is in it.
-fn eigenvalues<M: Model<3>>(values: &[f64]) -> [Complex<f64>; 3] {
-    let system = M::new(values);
-    let at_rest = std::array::from_fn(|i| Dual::<3>::variable(0.0, i));
-    let rates = system.rate(Dual::from(0.0), system.mode(0.0, &[0.0; 3]), &at_rest);
-    Matrix3::from_fn(|row, column| rates[row].slope[column]).complex_eigenvalues().into()
-}
-
-/// Within the sliders' ranges; a third of the gears has freeplay.
-fn random_values(random: &mut Random, table: &[Parameter]) -> Vec<f64> {
-    let value = |parameter: &Parameter| match parameter.name {
-        "freeplayAngle" if !random.once_in(3) => 0.0,
-        _ if random.once_in(20) => parameter.min,
-        _ => random.between(parameter.min, parameter.max),
-    };
-    table.iter().map(value).collect()
-}
-
-/// Two parameters of a table, each with a part of its range, or all of it.
-fn random_axes(random: &mut Random, table: &[Parameter]) -> [(&'static str, f64, f64); 2] {
-    let first = random.between(0.0, table.len() as f64) as usize;
-    let second = (first + 1 + random.between(0.0, (table.len() - 1) as f64) as usize) % table.len();
-    [first, second].map(|index| {
-        let Parameter { name, min, max, .. } = table[index];
-        let (a, b) = (random.between(min, max), random.between(min, max));
-        if random.once_in(2) { (name, min, max) } else { (name, a.min(b), a.max(b)) }
-    })
-}
 
 /// What a cell should say, by eigenvalues, and how exactly these are known.
 struct Truth {
@@ -124,21 +88,6 @@ fn assert_cells<M: Model<3>>(seed: u64, maps: usize) {
     assert!(looked_at >= 5_000, "{looked_at}");
     assert!((0.1..0.9).contains(&(stable as f64 / looked_at as f64)), "{stable}");
     assert!((0.1..0.98).contains(&(swinging as f64 / looked_at as f64)), "{swinging}");
-}
-
-/// σ = 3a and κ = 0.15 a² c_Fα F_z, where what they follow varies and they do not.
-fn link<M: Model<3>>(values: &mut [f64], links: Links, varying: [&str; 2]) {
-    let place = |name: &str| M::PARAMETERS.iter().position(|p| p.name == name).unwrap();
-    let a = values[place("halfContactLength")];
-    if links.relaxation_length && varying.contains(&"halfContactLength") && !varying.contains(&"relaxationLength") {
-        values[place("relaxationLength")] = 3.0 * a;
-    }
-    let moving =
-        ["halfContactLength", "sideForceDerivative", "verticalForce"].iter().any(|name| varying.contains(name));
-    if links.tread_width_moment_constant && moving && !varying.contains(&"treadWidthMomentConstant") {
-        values[place("treadWidthMomentConstant")] =
-            0.15 * a * a * values[place("sideForceDerivative")] * values[place("verticalForce")];
-    }
 }
 
 #[test]

@@ -110,6 +110,34 @@ fn answers_what_is_asked_beside_a_run() {
 }
 
 #[wasm_bindgen_test]
+fn maps_a_plane_and_its_boundary() {
+    let plane = |more: &str| {
+        js(&format!(
+            "({{model: 'torsional', x: {{parameter: 'velocity', from: 0.5, to: 100{more}}}, \
+             y: {{parameter: 'casterLength', from: 0, to: 0.5{more}}}}})"
+        ))
+    };
+    let map = wasm::stability_map(plane(", count: 400")).expect("the map is good");
+    // SciPy counts 48.37 % (tests/reference.json).
+    assert!((number(&map, "stablePercent") - 48.37).abs() < 2e-3);
+    assert!((number(&map, "stableArea") - 48.37).abs() < 0.02);
+    assert_eq!(series(&map, "growthRate").len(), 160_000);
+
+    let curves: Array = wasm::hopf_curve(plane("")).expect("the plane is good").unchecked_into();
+    let curve = curves.get(0);
+    assert_eq!((curves.length(), text(&curve, "kind").as_str()), (1, "hopf"));
+    assert!(series(&curve, "x").contains(&100.0) && series(&curve, "y").contains(&0.0));
+
+    let job = wasm::Job::new(js("'stabilityMap'"), plane(", count: 400")).expect("the map is good");
+    let mut slices = 0;
+    while get(&job.advance(js("1")).expect("it goes on"), "done") != JsValue::TRUE {
+        slices += 1;
+    }
+    let made = job.result().expect("it is done");
+    assert!(slices > 0 && series(&made, "growthRate") == series(&map, "growthRate"));
+}
+
+#[wasm_bindgen_test]
 fn a_refusal_is_an_error_with_data() {
     let error = wasm::simulate(js("({model: 'torsional', parameters: {velocity: -3}})")).expect_err("no gear rolls so");
     assert!(error.is_instance_of::<js_sys::Error>());

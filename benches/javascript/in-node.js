@@ -5,6 +5,7 @@ import { readFile } from 'node:fs/promises';
 import init, * as shimmy from '../../www/pkg/shimmy.js';
 
 import { theCase } from './case.js';
+import { maps } from './maps.js';
 import { ourEntry, warmUp, workAndPrecision } from './ours.js';
 
 const place = `Node ${process.versions.node}`;
@@ -12,6 +13,7 @@ const place = `Node ${process.versions.node}`;
 await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
 console.log(JSON.stringify({ warmUp: { place, ...warmUp(shimmy, theCase) } }));
 console.log(JSON.stringify(ourEntry(shimmy, theCase, place)));
+for (const map of maps(shimmy, place)) console.log(JSON.stringify({ map }));
 if (!process.argv.includes('--quick')) {
   for (const row of workAndPrecision(shimmy, theCase)) console.log(JSON.stringify({ row }));
 }

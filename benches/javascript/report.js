@@ -93,6 +93,18 @@ export function workAndPrecision(rows) {
   ])}`;
 }
 
+/** @param {import('./maps.js').Row[]} rows */
+export function maps(rows) {
+  const head = ['stability maps', 'cells', 'ms', 'ns a cell', 'stable', 'goal'];
+  return `Maps of the torsional gear, all of one run; the shortest of many.\n${table([
+    head,
+    ...rows.map(({ what, cells, milliseconds, percent, goal }) => [
+      what, cells ? count(cells) : '', number(milliseconds), cells ? number((milliseconds * 1e6) / cells) : '',
+      percent == null ? '' : `${percent.toFixed(2)} %`, goal ?? '',
+    ]),
+  ])}`;
+}
+
 /** @param {{ place: string, first: number, least: number }[]} all */
 export const warmUps = (all) =>
   all

@@ -14,6 +14,7 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// Anything else, and a key that is not among `known`.
+    #[inline(never)]
     pub fn of(place: &str, input: &'a Value, known: &[&'static str]) -> Result<Self> {
         let entries = record(place, input)?;
         match entries.iter().find(|(key, _)| !known.contains(&key.as_str())) {
@@ -23,26 +24,31 @@ impl<'a> Fields<'a> {
     }
 
     /// The value of a field. Of a key given twice the last counts, as in JavaScript.
+    #[inline(never)]
     pub fn value(&self, key: &str) -> Option<&'a Value> {
         self.0.iter().rev().find(|(name, _)| name == key).map(|(_, value)| value).filter(|v| **v != Value::Absent)
     }
 
     /// A field that holds a finite number; `allowed` says so in errors.
+    #[inline(never)]
     pub fn number(&self, key: &str, allowed: &str) -> Result<Option<f64>> {
         self.value(key).map(|value| number(key, value, allowed)).transpose()
     }
 
     /// A field that holds a list of numbers.
+    #[inline(never)]
     pub fn numbers(&self, key: &str) -> Result<Option<Vec<f64>>> {
         self.value(key).map(|value| numbers(key, value)).transpose()
     }
 
     /// A field that holds a name.
+    #[inline(never)]
     pub fn text(&self, key: &str) -> Result<Option<&'a str>> {
         self.value(key).map(|value| text(key, value)).transpose()
     }
 
     /// A field that holds true or false.
+    #[inline(never)]
     pub fn truth(&self, key: &str) -> Result<Option<bool>> {
         match self.value(key) {
             None => Ok(None),

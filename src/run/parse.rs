@@ -118,6 +118,7 @@ impl Run {
     }
 }
 
+#[inline(never)]
 fn number_of(run: &Run, name: &str, value: &Value) -> Result<f64> {
     let table = run.table();
     let index = crate::parameter::parameter_index(table, name)?;
@@ -142,11 +143,13 @@ fn present<'a>(field: &str, value: &'a Value) -> Result<impl Iterator<Item = (&'
         .map(|(key, value)| (key.as_str(), value)))
 }
 
+#[inline(never)]
 pub(super) fn wrong_type(field: &str, value: &Value, allowed: &str) -> Error {
     Error::new(Code::WrongType, field, value.shown(), allowed)
 }
 
 /// The entries of a record.
+#[inline(never)]
 pub(super) fn record<'a>(field: &str, value: &'a Value) -> Result<&'a [(String, Value)]> {
     match value {
         Value::Record(entries) => Ok(entries),
@@ -154,6 +157,7 @@ pub(super) fn record<'a>(field: &str, value: &'a Value) -> Result<&'a [(String, 
     }
 }
 
+#[inline(never)]
 pub(super) fn text<'a>(field: &str, value: &'a Value) -> Result<&'a str> {
     match value {
         Value::Text(text) => Ok(text),
@@ -161,6 +165,7 @@ pub(super) fn text<'a>(field: &str, value: &'a Value) -> Result<&'a str> {
     }
 }
 
+#[inline(never)]
 pub(super) fn number(field: &str, value: &Value, allowed: &str) -> Result<f64> {
     match value {
         Value::Number(number) if !number.is_finite() => {
@@ -171,6 +176,7 @@ pub(super) fn number(field: &str, value: &Value, allowed: &str) -> Result<f64> {
     }
 }
 
+#[inline(never)]
 pub(super) fn numbers(field: &str, value: &Value) -> Result<Vec<f64>> {
     match value {
         Value::Numbers(numbers) => Ok(numbers.clone()),

@@ -2,6 +2,8 @@
 
 mod closed;
 mod eigen;
+mod geometry;
+mod pieces;
 mod share;
 mod trace;
 
@@ -9,12 +11,13 @@ use serde::Serialize;
 
 use super::Plane;
 use crate::{
-    error::Result,
+    error::{Code, Error, Result, shown},
     run::{Fields, Value},
 };
 use closed::ClosedForm;
 use eigen::Eigenvalues;
-use trace::{Branch, branches};
+use pieces::Branch;
+use trace::branches;
 
 /// A point of the unit square that stands for the plane's rectangle.
 type Point = [f64; 2];
@@ -83,7 +86,7 @@ impl Plane {
             Some(closed) => branches(&closed, DRAWN),
             None => branches(&Eigenvalues::of(self)?, DRAWN),
         };
-        Ok(branches.into_iter().map(|branch| self.curve(branch)).collect())
+        branches.into_iter().map(|branch| self.curve(branch)).collect()
     }
 
     /// As [`Plane::hopf_curves`], by eigenvalues alone where there is a closed form, too.
@@ -92,18 +95,22 @@ impl Plane {
     /// As there.
     pub fn hopf_curves_by_eigenvalues(&self) -> Result<Vec<HopfCurve>> {
         let branches = branches(&Eigenvalues::of(self)?, DRAWN);
-        Ok(branches.into_iter().map(|branch| self.curve(branch)).collect())
+        branches.into_iter().map(|branch| self.curve(branch)).collect()
     }
 
-    fn curve(&self, branch: Branch) -> HopfCurve {
-        HopfCurve {
+    fn curve(&self, branch: Branch) -> Result<HopfCurve> {
+        if let Some(frequency) = branch.frequency.iter().find(|frequency| !frequency.is_finite()) {
+            let allowed = "a finite number: choose less extreme values";
+            return Err(Error::new(Code::NotFinite, "the frequency", shown(*frequency), allowed));
+        }
+        Ok(HopfCurve {
             x: branch.spots.iter().map(|spot| self.x.value(spot.at[0])).collect(),
             y: branch.spots.iter().map(|spot| self.y.value(spot.at[1])).collect(),
             frequency: branch.frequency,
             kind: branch.kind,
             closed: branch.closed,
             bounds: branch.bounds,
-        }
+        })
     }
 }
 

@@ -6,24 +6,24 @@ use super::{
     polynomial::COEFFICIENTS,
 };
 
-/// Coefficients by the index of x, then of y.
+/// Coefficients by the index of y, then of x.
 pub(super) type Patch = [[f64; COEFFICIENTS]; COEFFICIENTS];
 
-/// Those of the index `j` of y.
+/// Those of the index `i` of x.
 #[inline(never)]
-pub(super) fn column(patch: &Patch, j: usize) -> Bernstein {
+pub(super) fn column(patch: &Patch, i: usize) -> Bernstein {
     let mut column = [0.0; COEFFICIENTS];
     for (into, row) in column.iter_mut().zip(patch) {
-        *into = row[j];
+        *into = row[i];
     }
     column
 }
 
-/// Puts those of the index `j` of y.
+/// Puts those of the index `i` of x.
 #[inline(never)]
-pub(super) fn put_column(patch: &mut Patch, j: usize, column: &Bernstein) {
+pub(super) fn put_column(patch: &mut Patch, i: usize, column: &Bernstein) {
     for (row, from) in patch.iter_mut().zip(column) {
-        row[j] = *from;
+        row[i] = *from;
     }
 }
 
@@ -31,7 +31,7 @@ pub(super) fn put_column(patch: &mut Patch, j: usize, column: &Bernstein) {
 #[derive(Clone, Debug)]
 pub(super) struct Form {
     /// Of the powers.
-    pub c: Patch,
+    c: Patch,
     /// The degree in x.
     pub across: usize,
     /// The degree in y.
@@ -43,7 +43,7 @@ impl Form {
     pub fn of(surface: &Surface) -> Self {
         let (mut c, mut along) = ([[0.0; COEFFICIENTS]; COEFFICIENTS], 0);
         for i in 0..COEFFICIENTS {
-            c[i] = surface.coefficient(i).0;
+            put_column(&mut c, i, &surface.coefficient(i).0);
             along = along.max(surface.coefficient(i).degree());
         }
         Self { c, across: surface.degree(), along }
@@ -52,18 +52,31 @@ impl Form {
     /// The same with x and y exchanged.
     pub fn transposed(&self) -> Self {
         let mut c = self.c;
-        for j in 0..COEFFICIENTS {
-            c[j] = column(&self.c, j);
+        for i in 0..COEFFICIENTS {
+            c[i] = column(&self.c, i);
         }
         Self { c, across: self.along, along: self.across }
     }
 
     /// The polynomial in x at `y`.
-    #[inline]
+    #[inline(never)]
     pub fn row(&self, y: f64) -> Line {
+        self.row_in_line(y)
+    }
+
+    /// As [`Form::row`], where a call would be seen.
+    #[inline(always)]
+    pub fn row_in_line(&self, y: f64) -> Line {
         let mut power = [0.0; COEFFICIENTS];
-        for i in 0..=self.across {
-            power[i] = self.c[i][..=self.along].iter().rev().fold(0.0, |sum, c| sum * y + c);
+        for c in self.c[..=self.along].iter().rev() {
+            // Nearly always these are all.
+            for i in 0..4 {
+                power[i] = power[i] * y + c[i];
+            }
+            if self.across > 3 {
+                power[4] = power[4] * y + c[4];
+                power[5] = power[5] * y + c[5];
+            }
         }
         Line { power, degree: self.across }
     }
@@ -71,12 +84,12 @@ impl Form {
     /// The Bernstein coefficients over the unit square.
     pub fn bernstein(&self) -> Patch {
         let mut b = self.c;
-        for c in &mut b[..=self.across] {
-            *c = bernstein(*c, self.along);
+        for c in &mut b[..=self.along] {
+            *c = bernstein(*c, self.across);
         }
-        for j in 0..=self.along {
-            let across = bernstein(column(&b, j), self.across);
-            put_column(&mut b, j, &across);
+        for i in 0..=self.across {
+            let along = bernstein(column(&b, i), self.along);
+            put_column(&mut b, i, &along);
         }
         b
     }
@@ -84,7 +97,7 @@ impl Form {
     /// Whether it is positive all over the unit square, as far as its Bernstein coefficients tell.
     pub fn positive(&self) -> bool {
         let b = self.bernstein();
-        b[..=self.across].iter().all(|b| b[..=self.along].iter().all(|b| *b > 0.0))
+        b[..=self.along].iter().all(|b| b[..=self.across].iter().all(|b| *b > 0.0))
     }
 
     /// The value at a point.
@@ -96,11 +109,11 @@ impl Form {
     #[inline(never)]
     pub fn slope(&self, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
         let (mut value, mut across, mut along) = (0.0, 0.0, 0.0);
-        for i in (0..=self.across).rev() {
-            let (coefficient, its_slope) = Line { power: self.c[i], degree: self.along }.at(y);
-            across = across * x + value;
-            value = value * x + coefficient;
-            along = along * x + its_slope;
+        for c in self.c[..=self.along].iter().rev() {
+            let (coefficient, its_slope) = Line { power: *c, degree: self.across }.at(x);
+            along = along * y + value;
+            value = value * y + coefficient;
+            across = across * y + its_slope;
         }
         (value, [across, along])
     }

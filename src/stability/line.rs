@@ -3,7 +3,7 @@
 use super::polynomial::COEFFICIENTS;
 
 /// A Newton step that is shorter ends the search: the next one would be its square.
-const ARRIVED: f64 = 1e-6;
+const ARRIVED: f64 = 1e-8;
 /// How often an interval is halved: what still seems to hold two crossings then touches zero, and does not cross it.
 pub(super) const DEEPEST: usize = 40;
 
@@ -37,6 +37,11 @@ impl Crossings {
         }
     }
 
+    /// Half-way between the first two of them, or somewhere between 0 and 1.
+    fn middle(&self) -> f64 {
+        self.at[0].midpoint(self.at[1])
+    }
+
     /// The first of them, or any number.
     #[inline]
     pub fn first(&self) -> f64 {
@@ -63,13 +68,25 @@ impl Line {
     /// with none or one of them all is known, with more the interval is cut in two.
     #[inline]
     pub fn cross(&self, guess: f64, crossings: &mut Crossings) -> bool {
-        let b = bernstein_in_line(self.power, self.degree);
+        if let Some(rises) = self.crosses_once() {
+            crossings.at[0] = self.crossing_in_line(0.0, 1.0, rises, guess);
+            crossings.count = 1;
+            return !rises;
+        }
+        let b = bernstein(self.power, self.degree);
         let signs = Signs::of(&b[..=self.degree]);
         match signs.changes {
             0 => crossings.count = 0,
             1 => {
                 crossings.at[0] = self.crossing(0.0, 1.0, signs.last > 0.0, guess);
                 crossings.count = 1;
+            }
+            2 if self.at(crossings.middle()).0 * signs.first < 0.0 => {
+                // Between the neighbour's two it has the other sign: those are two, and there are no more.
+                let middle = crossings.middle();
+                crossings.at[0] = self.crossing(0.0, middle, signs.first < 0.0, crossings.at[0]);
+                crossings.at[1] = self.crossing(middle, 1.0, signs.first > 0.0, crossings.at[1]);
+                crossings.count = 2;
             }
             _ => {
                 let mut found = Crossings::default();
@@ -78,6 +95,17 @@ impl Line {
             }
         }
         signs.first > 0.0
+    }
+
+    /// Whether it rises as it changes its sign, once: what is found below, for cubics that do, which most rows are.
+    #[inline(always)]
+    fn crosses_once(&self) -> Option<bool> {
+        let c = &self.power;
+        let third = c[1] * (1.0 / 3.0);
+        let (first, second) = (c[0], c[0] + third);
+        let (third, last) = (second + third + c[2] * (1.0 / 3.0), c[0] + c[1] + c[2] + c[3]);
+        let once = first * last < 0.0 && (second * first > 0.0 || third * last > 0.0);
+        (self.degree == 3 && once).then_some(last > 0.0)
     }
 
     /// Where the sign changes in an open interval, of which `b` are the Bernstein coefficients.
@@ -109,8 +137,13 @@ impl Line {
     }
 
     /// The one place between `low` and `high` where the line `rises` or falls through 0: by Newton's method, kept between.
-    #[inline]
-    fn crossing(&self, mut low: f64, mut high: f64, rises: bool, guess: f64) -> f64 {
+    #[inline(never)]
+    fn crossing(&self, low: f64, high: f64, rises: bool, guess: f64) -> f64 {
+        self.crossing_in_line(low, high, rises, guess)
+    }
+
+    #[inline(always)]
+    fn crossing_in_line(&self, mut low: f64, mut high: f64, rises: bool, guess: f64) -> f64 {
         let mut x = if low < guess && guess < high { guess } else { 0.5 * (low + high) };
         for _ in 0..100 {
             let (value, slope) = self.at(x);
@@ -135,12 +168,7 @@ impl Line {
 
 /// From powers to the Bernstein coefficients on the unit interval, between whose least and greatest the polynomial runs.
 #[inline(never)]
-pub(super) fn bernstein(c: [f64; COEFFICIENTS], degree: usize) -> Bernstein {
-    bernstein_in_line(c, degree)
-}
-
-#[inline(always)]
-fn bernstein_in_line(mut c: [f64; COEFFICIENTS], degree: usize) -> Bernstein {
+pub(super) fn bernstein(mut c: [f64; COEFFICIENTS], degree: usize) -> Bernstein {
     for k in 1..degree {
         c[k] *= RECIPROCALS[degree][k];
     }
@@ -206,4 +234,84 @@ pub(super) fn parts(b: &Bernstein, degree: usize, part: f64) -> (Bernstein, Bern
         left[step] = right[0];
     }
     (left, right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stability::Polynomial;
+
+    fn with_roots(roots: &[f64]) -> Line {
+        let factors = roots.iter().map(|root| Polynomial::variable() - Polynomial::from(*root));
+        let power = factors.fold(Polynomial::from(1.0), |product, factor| product * factor).0;
+        Line { power, degree: roots.len() }
+    }
+
+    #[test]
+    fn all_changes_of_sign_are_found_wherever_they_are_expected() {
+        for roots in [
+            &[][..],
+            &[0.3],
+            &[-0.5],
+            &[0.5, 2.0],
+            &[0.1, 0.9, -3.0],
+            &[0.25, 0.5, 0.75],
+            &[1e-9, 0.5, 0.5 + 1e-6, 1.0 - 1e-9],
+            &[-1.0, 0.2, 0.4, 0.6, 0.8],
+        ] {
+            let line = with_roots(roots);
+            let within: Vec<f64> = roots.iter().copied().filter(|root| (0.0..1.0).contains(root)).collect();
+            for (guess, near) in [(0.5, None), (f64::NAN, Some(0.3)), (1e300, Some(0.7))] {
+                let mut crossings = Crossings::default();
+                near.into_iter().for_each(|x| crossings.push(x));
+                let positive = line.cross(guess, &mut crossings);
+                assert_eq!(positive, line.at(0.0).0 > 0.0, "{roots:?}");
+                assert_eq!(crossings.list().len(), within.len(), "{roots:?}: {crossings:?}");
+                for (got, expected) in crossings.list().iter().zip(&within) {
+                    // A Newton step of less than 1e-8 was the last; near a neighbour 1e-6 away rounding leaves some 1e-10.
+                    assert!((got - expected).abs() < 1e-9, "{roots:?}: {got} {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_only_touches_zero_does_not_cross_it() {
+        for roots in [&[0.5, 0.5][..], &[0.3, 0.3, 0.9], &[0.25, 0.25, 0.75, 0.75]] {
+            let mut crossings = Crossings::default();
+            with_roots(roots).cross(0.5, &mut crossings);
+            // Rounding may lift a touch to two crossings as far apart as its root.
+            let far: Vec<f64> =
+                crossings.list().iter().copied().filter(|x| roots.iter().all(|root| (x - root).abs() > 1e-6)).collect();
+            assert!(far.is_empty(), "{roots:?}: {crossings:?}");
+            assert_eq!(crossings.list().len() % 2, roots.len() % 2, "{roots:?}: {crossings:?}");
+        }
+        let zero = Line { power: [0.0; COEFFICIENTS], degree: 3 };
+        let mut crossings = Crossings::default();
+        assert!(!zero.cross(0.5, &mut crossings) && crossings.list().is_empty());
+    }
+
+    #[test]
+    fn bernstein_coefficients_bound_the_line() {
+        let line = with_roots(&[0.2, 0.4, 3.0, -1.0]);
+        let b = bernstein(line.power, line.degree);
+        let least = b[..=4].iter().copied().fold(f64::INFINITY, f64::min);
+        let most = b[..=4].iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        assert!(b[0] == line.at(0.0).0 && (b[4] - line.at(1.0).0).abs() < 1e-14);
+        let (left, right) = parts(&b, 4, 0.3);
+        for i in 0..=100 {
+            let x = f64::from(i) / 100.0;
+            let value = line.at(x).0;
+            assert!(least <= value + 1e-14 && value - 1e-14 <= most);
+            for (part, from, to) in [(left, 0.0, 0.3), (right, 0.3, 1.0)] {
+                if (from..=to).contains(&x) {
+                    assert!(
+                        part[..=4].iter().any(|c| *c <= value + 1e-14)
+                            && part[..=4].iter().any(|c| *c >= value - 1e-14)
+                    );
+                }
+            }
+        }
+        assert!((left[4] - line.at(0.3).0).abs() < 1e-15 && left[4] == right[0]);
+    }
 }

@@ -25,24 +25,36 @@ impl Links {
 
     /// Lets what is linked to the parameters that vary follow them; what varies itself follows nothing.
     pub(super) fn follow<T: Ring>(self, table: &[Parameter], values: &mut [T], varying: &[&str]) {
-        let place = |name: &str| table.iter().position(|parameter| parameter.name == name);
-        let [Some(a), Some(c_f_alpha), Some(f_z), Some(sigma), Some(kappa)] = [
+        let Some(([a, c_f_alpha, f_z, sigma, kappa], [sigma_follows, kappa_follows])) = self.at_work(table, varying)
+        else {
+            return;
+        };
+        let linked = torsional::linked(values[a], values[c_f_alpha], values[f_z]);
+        if sigma_follows {
+            values[sigma] = linked.0;
+        }
+        if kappa_follows {
+            values[kappa] = linked.1;
+        }
+    }
+
+    /// Where a, c_Fα, F_z, σ and κ are in a table, and whether the last two follow.
+    fn at_work(self, table: &[Parameter], varying: &[&str]) -> Option<([usize; 5], [bool; 2])> {
+        let mut places = [0; 5];
+        for (place, name) in places.iter_mut().zip([
             "halfContactLength",
             "sideForceDerivative",
             "verticalForce",
             "relaxationLength",
             "treadWidthMomentConstant",
-        ]
-        .map(place) else {
-            return;
-        };
-        let varies = |index: usize| varying.contains(&table[index].name);
-        let linked = torsional::linked(values[a], values[c_f_alpha], values[f_z]);
-        if self.relaxation_length && varies(a) && !varies(sigma) {
-            values[sigma] = linked.0;
+        ]) {
+            *place = table.iter().position(|parameter| parameter.name == name)?;
         }
-        if self.tread_width_moment_constant && (varies(a) || varies(c_f_alpha) || varies(f_z)) && !varies(kappa) {
-            values[kappa] = linked.1;
-        }
+        let [a, c_f_alpha, f_z, sigma, kappa] = places.map(|place| varying.contains(&table[place].name));
+        let follow = [
+            self.relaxation_length && a && !sigma,
+            self.tread_width_moment_constant && (a || c_f_alpha || f_z) && !kappa,
+        ];
+        Some((places, follow))
     }
 }

@@ -5,6 +5,10 @@
 //! imaginary axis as a parameter varies ([`Crossing`]). The torsional gears have it in closed form, too
 //! ([`TorsionalTheory`]), with every parameter a polynomial in the one that varies: one text of the conditions says whether
 //! a gear is stable, and where that changes.
+//!
+//! Over a [`Plane`] of two parameters a map ([`MapSpec`]) says of each cell what becomes of a small swing there, and curves
+//! ([`HopfCurve`]) where that changes; both in closed form, where every condition is a polynomial in both parameters
+//! ([`Surface`]), and by eigenvalues for any other model.
 
 mod characteristic;
 mod crossings;

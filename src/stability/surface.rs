@@ -41,16 +41,20 @@ impl From<f64> for Surface {
 impl Add for Surface {
     type Output = Self;
     #[inline(never)]
-    fn add(self, other: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
+    fn add(mut self, other: Self) -> Self {
+        for (mine, others) in self.0.iter_mut().zip(&other.0) {
+            for (mine, others) in mine.0.iter_mut().zip(&others.0) {
+                *mine += others;
+            }
+        }
+        self
     }
 }
 
 impl Sub for Surface {
     type Output = Self;
-    #[inline(never)]
     fn sub(self, other: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] - other.0[i]))
+        self + other * Self::from(-1.0)
     }
 }
 

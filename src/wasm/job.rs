@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use js_sys::{Date, Object};
 use wasm_bindgen::prelude::*;
 
-use super::{input, output};
+use super::{input, output, plane};
 use crate::{
     error::{Code, Error, Result, shown},
     run::Value,
@@ -64,9 +64,9 @@ impl Job {
     }
 
     /// What is there so far: what the function of the job's name gives, its arrays no longer than that.
-    #[wasm_bindgen(unchecked_return_type = "StabilityMap")]
+    #[wasm_bindgen(unchecked_return_type = "UnfinishedMap")]
     pub fn result(&self) -> std::result::Result<JsValue, JsValue> {
-        self.with(|map| output::stability_map(map))
+        self.with(|map| plane::object_of(map))
     }
 }
 

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     Run,
-    stability::{Eigenmode, MapSpec, Plane, Variation},
+    stability::{Eigenmode, Variation},
 };
 
 /// What linear theory says of the gear at rest, and where that changes.
@@ -44,20 +44,6 @@ pub fn crossings(
 ) -> Result<JsValue, JsValue> {
     let (run, variation) = (read_run(&run)?, read_variation(&variation)?);
     output::record(&run.crossings(&variation).map_err(output::error)?)
-}
-
-/// Stability over a plane of two parameters, cell by cell.
-#[wasm_bindgen(js_name = stabilityMap, unchecked_return_type = "StabilityMap")]
-pub fn stability_map(#[wasm_bindgen(unchecked_param_type = "MapSpec")] map: JsValue) -> Result<JsValue, JsValue> {
-    let map = input::value(&map, "map").and_then(|value| MapSpec::read(&value)?.made());
-    map.and_then(|map| output::stability_map(&map)).map_err(output::error)
-}
-
-/// The curves in a plane of two parameters at which eigenvalues cross the imaginary axis.
-#[wasm_bindgen(js_name = hopfCurve, unchecked_return_type = "HopfCurve[]")]
-pub fn hopf_curve(#[wasm_bindgen(unchecked_param_type = "Plane")] plane: JsValue) -> Result<JsValue, JsValue> {
-    let plane = input::value(&plane, "plane").and_then(|value| Plane::read(&value));
-    output::hopf_curves(&plane.and_then(|plane| plane.hopf_curves()).map_err(output::error)?)
 }
 
 /// The state at which the gear rests.

@@ -9,13 +9,15 @@ mod input;
 mod job;
 mod linear;
 mod output;
+mod plane;
 mod simulator;
 
 pub use job::Job;
 pub use linear::{
-    characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, hopf_curve, jacobian, routh_array,
-    routh_hurwitz, stability_map, unstable_intervals,
+    characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, jacobian, routh_array, routh_hurwitz,
+    unstable_intervals,
 };
+pub use plane::{hopf_curve, stability_map};
 pub use simulator::Simulator;
 
 use wasm_bindgen::prelude::*;

@@ -6,24 +6,23 @@ use wasm_bindgen::prelude::*;
 
 use crate::{
     Error, Run,
-    error::Result,
     integrate::{Stats, Trajectory},
     live::{Columns, Envelope},
     model::laws::{ForceColumns, ForceLaws},
     outlook::Outlook,
     parameter::StateVariable,
     spectrum::Spectrum,
-    stability::{HopfCurve, KINDS, StabilityMap},
 };
 
 /// Small records: plain objects, never Maps; what is absent is `null`.
-pub(super) fn record(value: &impl Serialize) -> std::result::Result<JsValue, JsValue> {
+pub(super) fn record(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer =
         serde_wasm_bindgen::Serializer::new().serialize_maps_as_objects(true).serialize_missing_as_null(true);
     value.serialize(&serializer).map_err(JsValue::from)
 }
 
 /// An `Error` with its data as properties.
+#[inline(never)]
 pub(super) fn error(error: Error) -> JsValue {
     let js = js_sys::Error::new(&error.to_string());
     let target: &Object = js.as_ref();
@@ -36,10 +35,12 @@ pub(super) fn error(error: Error) -> JsValue {
 }
 
 /// Sets a property of an object that this module has made; that cannot fail.
+#[inline(never)]
 pub(super) fn put(object: &Object, key: &str, value: &JsValue) {
     let _ = Reflect::set(object, &key.into(), value);
 }
 
+#[inline(never)]
 pub(super) fn series(values: &[f64]) -> JsValue {
     Float64Array::from(values).into()
 }
@@ -62,7 +63,7 @@ pub(super) fn envelope(envelope: &Envelope) -> Object {
     object
 }
 
-pub(super) fn trajectory(run: &Run, trajectory: Trajectory) -> std::result::Result<JsValue, JsValue> {
+pub(super) fn trajectory(run: &Run, trajectory: Trajectory) -> Result<JsValue, JsValue> {
     let Trajectory { time, states, events, stats, scheme } = trajectory;
     let object = columns(run.description().state, Columns { time, states });
     let record = Object::new();
@@ -85,7 +86,7 @@ fn statistics(stats: Stats, method: &str) -> Object {
     object
 }
 
-pub(super) fn outlook(run: &Run, outlook: Outlook) -> std::result::Result<JsValue, JsValue> {
+pub(super) fn outlook(run: &Run, outlook: Outlook) -> Result<JsValue, JsValue> {
     let states = run.description().state;
     let object = Object::new();
     put(&object, "verdict", &record(&outlook.verdict)?);
@@ -115,7 +116,7 @@ pub(super) fn forces_along(columns: &ForceColumns) -> Object {
     object
 }
 
-pub(super) fn force_laws(laws: &ForceLaws) -> std::result::Result<JsValue, JsValue> {
+pub(super) fn force_laws(laws: &ForceLaws) -> Result<JsValue, JsValue> {
     let object = Object::new();
     put(&object, "slipAngle", &series(&laws.slip_angle));
     put(&object, "sideForce", &series(&laws.side_force));
@@ -126,7 +127,7 @@ pub(super) fn force_laws(laws: &ForceLaws) -> std::result::Result<JsValue, JsVal
     Ok(object.into())
 }
 
-pub(super) fn spectrum(spectrum: &Spectrum) -> std::result::Result<JsValue, JsValue> {
+pub(super) fn spectrum(spectrum: &Spectrum) -> Result<JsValue, JsValue> {
     let object = Object::new();
     put(&object, "frequency", &series(&spectrum.frequency));
     put(&object, "amplitude", &series(&spectrum.amplitude));
@@ -134,40 +135,7 @@ pub(super) fn spectrum(spectrum: &Spectrum) -> std::result::Result<JsValue, JsVa
     Ok(object.into())
 }
 
-pub(super) fn stability_map(map: &StabilityMap) -> Result<JsValue> {
-    let object = Object::new();
-    let (cells, wanted) = (map.cells(), map.spec().quantities);
-    put(&object, "stable", &Uint8Array::from(&cells.stable[..cells.made]).into());
-    put(&object, "stablePercent", &maybe(map.stable_percent()));
-    put(&object, "stableArea", &maybe(map.stable_area()?));
-    if wanted.growth_rate {
-        put(&object, "growthRate", &series(&cells.growth_rate));
-    }
-    if wanted.frequency {
-        put(&object, "frequency", &series(&cells.frequency));
-    }
-    if wanted.kind {
-        put(&object, "kind", &Uint8Array::from(cells.kind.as_slice()).into());
-        put(&object, "kinds", &KINDS.iter().map(|kind| JsValue::from(*kind)).collect::<Array>().into());
-    }
-    Ok(object.into())
-}
-
-pub(super) fn hopf_curves(curves: &[HopfCurve]) -> std::result::Result<JsValue, JsValue> {
-    let list = Array::new();
-    for curve in curves {
-        let object = Object::new();
-        put(&object, "x", &series(&curve.x));
-        put(&object, "y", &series(&curve.y));
-        put(&object, "frequency", &series(&curve.frequency));
-        put(&object, "kind", &record(&curve.kind)?);
-        put(&object, "closed", &curve.closed.into());
-        put(&object, "bounds", &curve.bounds.into());
-        list.push(&object);
-    }
-    Ok(list.into())
-}
-
+#[inline(never)]
 pub(super) fn maybe(value: Option<f64>) -> JsValue {
     value.map_or(JsValue::NULL, JsValue::from)
 }

@@ -127,8 +127,8 @@ export interface Variation {
 }
 /** A part of a parameter's range in which a small swing does not fade. An end is a boundary of stability, or the range's own. */
 export interface UnstableInterval { from: number; to: number; fromKind: 'hopf' | 'divergence' | 'range'; toKind: 'hopf' | 'divergence' | 'range' }
-/** An axis of a plane: a parameter's range, in its SI unit. */
-export interface Axis { parameter: string; from: number; to: number }
+/** An axis of a plane: a parameter's range, in its SI unit. `count`: the cells of a map. */
+export interface Axis { parameter: string; from: number; to: number; count?: number }
 /** Two parameters of a model that vary; the others as in `parameters`. `linked`: what follows them, σ = 3a with a, κ = 0.15 a² c_Fα F_z with a, c_Fα and F_z. */
 export interface Plane {
   model: string;
@@ -150,10 +150,10 @@ export interface MapSpec extends Plane {
 export interface StabilityMap {
   /** 1: all small motions fade */
   stable: Uint8Array;
-  /** 100 × stable cells / cells; null before the first */
-  stablePercent: number | null;
-  /** %: the same share of the area, by the exact boundary (of a tile: in the tile); null before the last cell */
-  stableArea: number | null;
+  /** 100 × stable cells / cells */
+  stablePercent: number;
+  /** %: the same share of the area, by the exact boundary; of a tile, in the tile */
+  stableArea: number;
   /** 1/s: largest real part of an eigenvalue */
   growthRate?: Float64Array;
   /** Hz: of that eigenvalue; 0 where it is real */
@@ -178,6 +178,8 @@ export interface HopfCurve {
   /** it bounds what is stable: all other eigenvalues are left of the axis */
   bounds: boolean;
 }
+/** What a job has of a map: the cells so far. `stablePercent`: null before the first; `stableArea`: null before the last. */
+export type UnfinishedMap = Omit<StabilityMap, 'stablePercent' | 'stableArea'> & { stablePercent: number | null; stableArea: number | null };
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }
 /** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + stored. (A friction element would have its own field.) */

@@ -4,5 +4,6 @@
 pub mod exact;
 pub mod gear;
 pub mod linear;
+pub mod planes;
 pub mod random;
 pub mod reference;

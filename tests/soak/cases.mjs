@@ -70,11 +70,44 @@ function helpers(shimmy, random, models) {
   const name = /** @type {'forces'} */ (question.name);
   const asked = random.chance(0.5) ? question.asked : spoiled(random, question.asked);
   const what = `${name}(${shown(run)}, ${shown(asked)})`;
-  if (name === /** @type {string} */ ('spectrum')) judged(what, () => shimmy.spectrum(asked));
+  if (ALONE.includes(/** @type {string} */ (name))) judged(what, () => shimmy[/** @type {'spectrum'} */ (/** @type {string} */ (name))](asked));
+  else if (name === /** @type {string} */ ('Job')) judged(what, () => worked(shimmy, asked, random));
   else judged(what, () => shimmy[name](run, asked));
   judged('models', () => shimmy.models());
   judged('methods', () => shimmy.methods());
   if (random.chance(0.02)) must('the atlas has changed', shimmy.atlas().length === 283);
+}
+
+/** Functions that take no run. */
+const ALONE = ['spectrum', 'stabilityMap', 'hopfCurve'];
+
+/** A job, made in slices, with what it had half-way. @param {Shimmy} shimmy @param {any} asked @param {Random} random */
+function worked(shimmy, asked, random) {
+  const job = new shimmy.Job('stabilityMap', asked);
+  try {
+    job.advance(0);
+    const early = job.result();
+    if (random.chance(0.2)) judged('advance', () => job.advance(/** @type {any} */ (garbage(random).value)));
+    while (!job.advance(1).done);
+    const late = job.result();
+    must('a map has shrunk', early.stable.length <= late.stable.length);
+    return late;
+  } finally {
+    job.free();
+  }
+}
+
+/** A small plane of two parameters. @param {Random} random @param {Model} model @param {boolean} counted */
+function plane(random, model, counted) {
+  const axis = () => {
+    const { name, min, max } = random.pick(model.parameters);
+    const range = { parameter: name, from: random.chance(0.9) ? min : random.pick(NUMBERS), to: random.chance(0.9) ? max : random.pick(NUMBERS) };
+    return counted ? { ...range, count: 1 + random.below(40) } : range;
+  };
+  const spec = { model: model.name, x: axis(), y: axis(), linked: { relaxationLength: random.chance(0.5) } };
+  if (!counted) return spec;
+  const quantities = ['stable', 'growthRate', 'frequency', 'kind'].filter(() => random.chance(0.5));
+  return { ...spec, quantities, tile: random.chance(0.2) ? { column: random.below(10), rows: 1 + random.below(10) } : null };
 }
 
 /** @type {((random: Random, model: Model) => { name: string, asked: unknown })[]} */
@@ -90,6 +123,9 @@ const QUESTIONS = [
     return { name: random.pick(['unstableIntervals', 'crossings']), asked: { parameter: name, from: min, to: random.chance(0.9) ? max : random.pick(NUMBERS), linked } };
   },
   (random) => ({ name: 'forceLaws', asked: { slipAngle: random.between(0.01, 1.6), torsionAngle: random.between(0.01, 1), samples: 2 + random.below(50) } }),
+  (random, model) => ({ name: 'stabilityMap', asked: plane(random, model, true) }),
+  (random, model) => ({ name: 'Job', asked: plane(random, model, true) }),
+  (random, model) => ({ name: 'hopfCurve', asked: plane(random, model, false) }),
   (random) => ({
     name: 'spectrum',
     asked: { values: Float64Array.from({ length: random.below(300) }, () => random.between(-1, 1)), interval: 10 ** random.between(-6, 2) },

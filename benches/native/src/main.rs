@@ -2,6 +2,7 @@
 
 mod case;
 mod contest;
+mod maps;
 mod ours;
 #[cfg(feature = "peers")]
 mod peers;
@@ -17,6 +18,9 @@ fn main() {
     let place = if flags.contains("target-cpu") { "shimmy, native (this CPU)" } else { "shimmy, native (plain flags)" };
     println!("{}", json!({ "flags": flags }));
     println!("{}", contest::enter(&case, place, |tolerance| ours::solve(&case, "auto", tolerance)));
+    for map in maps::measured(place) {
+        println!("{}", json!({ "map": map }));
+    }
     #[cfg(feature = "peers")]
     {
         if let Some(tight) = ours::solve(&case, "dop853", 1e-13) {

@@ -7,8 +7,10 @@ use crate::stability::{
     line::{Bernstein, Crossings, DEEPEST, Line, parts},
 };
 
-/// How often the square is cut in four at most. Only where a curve meets itself is it cut so often.
-const FINEST: usize = 9;
+/// How often the square is cut in four at most, and how many boxes are looked at: a curve that meets itself takes some at
+/// every size, one that is double everywhere would take all.
+const FINEST: u32 = 26;
+const MOST_BOXES: usize = 2_000;
 /// Bernstein coefficients below this part of the largest are rounding.
 const ROUNDING: f64 = 1e-15;
 
@@ -51,9 +53,18 @@ impl Boundary for ClosedForm {
         let form = self.form(kind);
         let b = form.bernstein();
         let largest = b.as_flattened().iter().fold(0.0_f64, |most, b| most.max(b.abs()));
-        let mut search =
-            Search { form, transposed: form.transposed(), rounding: ROUNDING * largest, seeds: Vec::new() };
-        search.visit(&b, [[0.0, 1.0]; 2], FINEST);
+        let mut search = Search {
+            form,
+            transposed: form.transposed(),
+            rounding: ROUNDING * largest,
+            boxes: Vec::new(),
+            seeds: Vec::new(),
+        };
+        search.boxes.push((b, [[0.0, 1.0]; 2], FINEST));
+        for index in 0.. {
+            let Some((b, ends, finer)) = search.boxes.get(index).copied() else { break };
+            search.visit(&b, ends, if search.boxes.len() < MOST_BOXES { finer } else { 0 });
+        }
         search.seeds.into_iter().map(|seed| [seed, seed]).collect()
     }
 
@@ -74,50 +85,55 @@ impl Boundary for ClosedForm {
     }
 }
 
+/// Bernstein coefficients over a box, its ends across and along, and how often it may be cut.
+type Box = (Patch, [[f64; 2]; 2], u32);
+
 /// A search for places through which every branch of a polynomial's zeros passes.
 struct Search<'a> {
     form: &'a Form,
     transposed: Form,
     rounding: f64,
+    boxes: Vec<Box>,
     seeds: Vec<Point>,
 }
 
 impl Search<'_> {
     /// Looks at a box from ends to ends. Where the slope in one direction has one sign, no curve closes within it: all leave
     /// through its edges.
-    fn visit(&mut self, b: &Patch, ends: [[f64; 2]; 2], depth: usize) {
+    /// Otherwise its quarters are to be looked at, if it may be cut `finer`.
+    fn visit(&mut self, b: &Patch, ends: [[f64; 2]; 2], finer: u32) {
         let (across, along) = (self.form.across, self.form.along);
         let (mut signs, mut across_signs, mut along_signs) = ([false; 2], [false; 2], [false; 2]);
         for (i, j) in (0..=across).flat_map(|i| (0..=along).map(move |j| (i, j))) {
-            self.note(&mut signs, b[i][j]);
+            self.note(&mut signs, b[j][i]);
             if i > 0 {
-                self.note(&mut across_signs, b[i][j] - b[i - 1][j]);
+                self.note(&mut across_signs, b[j][i] - b[j][i - 1]);
             }
             if j > 0 {
-                self.note(&mut along_signs, b[i][j] - b[i][j - 1]);
+                self.note(&mut along_signs, b[j][i] - b[j - 1][i]);
             }
         }
         if signs != [true; 2] {
             return;
         }
-        if across_signs != [true; 2] || along_signs != [true; 2] || depth == 0 {
+        if across_signs != [true; 2] || along_signs != [true; 2] || finer == 0 {
             return self.edges(b, ends);
         }
         let [[left, right], [below, above]] = ends;
         let (middle, height) = (left.midpoint(right), below.midpoint(above));
-        let (mut west, mut east) = (*b, *b);
-        for j in 0..=along {
-            let (low, high) = parts(&column(b, j), across, 0.5);
-            put_column(&mut west, j, &low);
-            put_column(&mut east, j, &high);
+        let (mut lower, mut upper) = (*b, *b);
+        for i in 0..=across {
+            let (low, high) = parts(&column(b, i), along, 0.5);
+            put_column(&mut lower, i, &low);
+            put_column(&mut upper, i, &high);
         }
-        for (mut below_it, across_it) in [(west, [left, middle]), (east, [middle, right])] {
-            let mut above_it = below_it;
-            for i in 0..=across {
-                (below_it[i], above_it[i]) = parts(&below_it[i], along, 0.5);
+        for (mut west, ends) in [(lower, [below, height]), (upper, [height, above])] {
+            let mut east = west;
+            for j in 0..=along {
+                (west[j], east[j]) = parts(&west[j], across, 0.5);
             }
-            self.visit(&below_it, [across_it, [below, height]], depth - 1);
-            self.visit(&above_it, [across_it, [height, above]], depth - 1);
+            self.boxes.push((west, [[left, middle], ends], finer - 1));
+            self.boxes.push((east, [[middle, right], ends], finer - 1));
         }
     }
 
@@ -134,11 +150,11 @@ impl Search<'_> {
         for end in 0..2 {
             let (i, j) = (end * self.form.across, end * self.form.along);
             if end == 0 || along[1] == 1.0 {
-                let zeros = self.zeros(&self.form.row(along[end]), &column(b, j), across);
+                let zeros = self.zeros(&self.form.row(along[end]), &b[j], across);
                 self.seeds.extend(zeros.list().iter().map(|x| [*x, along[end]]));
             }
             if end == 0 || across[1] == 1.0 {
-                let zeros = self.zeros(&self.transposed.row(across[end]), &b[i], along);
+                let zeros = self.zeros(&self.transposed.row(across[end]), &column(b, i), along);
                 self.seeds.extend(zeros.list().iter().map(|y| [across[end], *y]));
             }
         }

@@ -23,8 +23,11 @@ impl<'a> Eigenvalues<'a> {
     /// # Errors
     /// As [`Plane::eigenvalues`], anywhere on the grid.
     pub fn of(plane: &'a Plane) -> Result<Self> {
-        let node = |index| Ok(tests(&plane.eigenvalues(place(index))?));
-        Ok(Self { plane, grid: (0..LINES * LINES).map(node).collect::<Result<_>>()? })
+        let mut grid = Vec::with_capacity(LINES * LINES);
+        for index in 0..LINES * LINES {
+            grid.push(tests(&plane.eigenvalues(place(index))?));
+        }
+        Ok(Self { plane, grid })
     }
 
     fn value(&self, kind: CurveKind, at: Point) -> f64 {

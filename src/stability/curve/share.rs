@@ -1,13 +1,15 @@
 //! How much of a plane is stable, by its boundary.
 
 use super::{
-    Boundary, ClosedForm, Eigenvalues, Point,
-    trace::{Branch, branches, cross, dot},
+    Boundary, ClosedForm, Eigenvalues,
+    geometry::{between, cross, dot, length},
+    pieces::Branch,
+    trace::branches,
 };
 use crate::{error::Result, stability::Plane};
 
 /// How far the boundary may be from straight lines between its points: the arcs laid through them are far nearer.
-const MEASURED: f64 = 3e-4;
+const MEASURED: f64 = 1e-4;
 
 impl Plane {
     /// The share of the plane's area in which all small motions fade \[%\], by the boundary.
@@ -34,10 +36,10 @@ fn share(boundary: &dyn Boundary) -> f64 {
         }
         for two in spots.windows(2) {
             let (from, to) = (two[0].at, two[1].at);
-            let chord: Point = [to[0] - from[0], to[1] - from[1]];
+            let chord = between(from, to);
             // A cubic with tangents of this length follows an arc of a circle best.
             let half_turn = (0.5 * (1.0 + dot(two[0].tangent, two[1].tangent))).sqrt();
-            let size = dot(chord, chord).sqrt() * 2.0 / (1.0 + half_turn);
+            let size = length(chord) * 2.0 / (1.0 + half_turn);
             let (start, end) = (two[0].tangent.map(|part| size * part), two[1].tangent.map(|part| size * part));
             area += 0.5 * (from[0] + to[0]) * chord[1] + (cross(chord, end) - cross(chord, start)) / 10.0
                 - cross(start, end) / 60.0;

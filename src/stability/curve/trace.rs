@@ -1,6 +1,10 @@
 //! Following a boundary through the unit square.
 
-use super::{Boundary, Crossing, CurveKind, Point};
+use super::{
+    Boundary, CurveKind, Point,
+    geometry::{ahead, between, cross, dot, length, mixed},
+    pieces::Branch,
+};
 
 /// The length of a first step, of the longest, and of one that gets nowhere.
 const FIRST: f64 = 0.01;
@@ -9,7 +13,7 @@ const SHORTEST: f64 = 1e-9;
 /// A Newton step that is shorter ends the way back to the curve.
 const ARRIVED: f64 = 1e-10;
 /// What is nearer to an edge of the square is on it.
-const ON_EDGE: f64 = 1e-10;
+pub(super) const ON_EDGE: f64 = 1e-10;
 /// Steps before a curve is given up for one that never ends.
 const MOST_STEPS: usize = 20_000;
 /// The cosine of the largest turn in a step, some 30°.
@@ -29,16 +33,6 @@ impl Spot {
     }
 }
 
-/// A piece of a boundary along which one thing crosses.
-pub(super) struct Branch {
-    pub spots: Vec<Spot>,
-    /// \[Hz\]
-    pub frequency: Vec<f64>,
-    pub kind: CurveKind,
-    pub closed: bool,
-    pub bounds: bool,
-}
-
 /// All branches in the unit square, within `tolerance` of straight lines between their points.
 pub(super) fn branches(boundary: &dyn Boundary, tolerance: f64) -> Vec<Branch> {
     let mut all = Vec::new();
@@ -52,7 +46,7 @@ pub(super) fn branches(boundary: &dyn Boundary, tolerance: f64) -> Vec<Branch> {
             let Some(start) = tracer.on(seed) else { continue };
             if !traces.iter().any(|trace| tracer.passes(trace, &start)) {
                 let trace = tracer.trace(start);
-                all.extend(tracer.pieces(&trace));
+                tracer.cut(&trace, &mut all);
                 traces.push(trace);
             }
         }
@@ -60,15 +54,16 @@ pub(super) fn branches(boundary: &dyn Boundary, tolerance: f64) -> Vec<Branch> {
     all
 }
 
-struct Tracer<'a> {
-    boundary: &'a dyn Boundary,
-    kind: CurveKind,
+/// One kind of a boundary, to be followed.
+pub(super) struct Tracer<'a> {
+    pub boundary: &'a dyn Boundary,
+    pub kind: CurveKind,
     tolerance: f64,
 }
 
 impl Tracer<'_> {
     /// The point of the curve next to a point, no farther than `reach`.
-    fn spot(&self, from: Point, reach: f64) -> Option<Spot> {
+    pub fn spot(&self, from: Point, reach: f64) -> Option<Spot> {
         let mut at = from;
         let mut step = f64::INFINITY;
         for _ in 0..8 {
@@ -209,66 +204,6 @@ impl Tracer<'_> {
             None
         })
     }
-
-    /// The parts of a curve along each of which one thing crosses.
-    fn pieces(&self, trace: &[Spot]) -> Vec<Branch> {
-        let crossing = |spot: &Spot| self.boundary.crossing(self.kind, spot.at);
-        let same = |a: Option<Crossing>, b: Option<Crossing>| a.map(|a| a.bounds) == b.map(|b| b.bounds);
-        let mut spots: Vec<Spot> = trace.iter().copied().map(on_edge).collect();
-        let mut what: Vec<_> = spots.iter().map(crossing).collect();
-        let closed = spots.len() > 2 && spots.first() == spots.last();
-        let change = (1..what.len()).find(|i| !same(what[i - 1], what[*i]));
-        if let (true, Some(change)) = (closed, change) {
-            // A closed curve with changes begins at one of them.
-            spots.pop();
-            what.pop();
-            spots.rotate_left(change);
-            what.rotate_left(change);
-            spots.push(spots[0]);
-            what.push(what[0]);
-        }
-        let mut pieces = Vec::new();
-        let (mut so_far, mut seen) = (Vec::new(), Vec::new());
-        for i in 0..spots.len() {
-            if i > 0 && !same(what[i - 1], what[i]) {
-                let (mut low, mut high) = ((spots[i - 1], what[i - 1]), (spots[i], what[i]));
-                for _ in 0..40 {
-                    let reach = length(between(low.0.at, high.0.at));
-                    let Some(spot) = self.spot(mixed(low.0.at, high.0.at, 0.5), reach) else { break };
-                    let middle = (spot, crossing(&spot));
-                    *(if same(middle.1, low.1) { &mut low } else { &mut high }) = middle;
-                }
-                so_far.push(low.0);
-                seen.push(low.1);
-                self.finish(&mut pieces, &mut so_far, &mut seen, false);
-                so_far.push(high.0);
-                seen.push(high.1);
-            }
-            so_far.push(spots[i]);
-            seen.push(what[i]);
-        }
-        self.finish(&mut pieces, &mut so_far, &mut seen, closed && change.is_none());
-        pieces
-    }
-
-    fn finish(&self, pieces: &mut Vec<Branch>, spots: &mut Vec<Spot>, seen: &mut Vec<Option<Crossing>>, closed: bool) {
-        let spots = std::mem::take(spots);
-        let crossings: Vec<Crossing> = std::mem::take(seen).into_iter().flatten().collect();
-        if spots.len() > 1 && crossings.len() == spots.len() {
-            let frequency = crossings.iter().map(|crossing| crossing.frequency).collect();
-            pieces.push(Branch { spots, frequency, kind: self.kind, closed, bounds: crossings[0].bounds });
-        }
-    }
-}
-
-/// What is next to an edge is on it.
-fn on_edge(mut spot: Spot) -> Spot {
-    for part in &mut spot.at {
-        if (*part - part.round()).abs() <= ON_EDGE {
-            *part = part.round();
-        }
-    }
-    spot
 }
 
 /// How far it is to the edge along a way.
@@ -283,28 +218,4 @@ fn room(at: Point, way: Point) -> f64 {
 fn crosses(a: Point, b: Point, [c, d]: [Point; 2]) -> bool {
     let side = |a: Point, b: Point, c: Point| cross(between(a, b), between(a, c));
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
-}
-
-fn between(from: Point, to: Point) -> Point {
-    [to[0] - from[0], to[1] - from[1]]
-}
-
-fn mixed(a: Point, b: Point, part: f64) -> Point {
-    ahead(a, between(a, b), part)
-}
-
-fn ahead(at: Point, way: Point, part: f64) -> Point {
-    [at[0] + part * way[0], at[1] + part * way[1]]
-}
-
-pub(super) fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-pub(super) fn cross(a: Point, b: Point) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-fn length(a: Point) -> f64 {
-    dot(a, a).sqrt()
 }

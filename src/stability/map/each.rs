@@ -14,7 +14,7 @@ pub(super) fn advance(spec: &MapSpec, cells: &mut Cells) -> Result<()> {
         let y = spec.centre(1, tile.row + index / tile.columns);
         let eigenvalues = spec.plane.eigenvalues([x, y])?;
         let leading = eigenvalues[0];
-        cells.push_leading(spec.quantities, leading.re, leading.im.abs())?;
+        cells.note(index, leading.re, leading.im.abs())?;
         cells.stable[index] = u8::from(leading.re < 0.0);
         cells.stable_count += usize::from(leading.re < 0.0);
         cells.made += 1;

@@ -39,34 +39,39 @@ impl Rows {
         let across = spec.counts[0] as f64;
         // How many cells have their centre before a place.
         let before = |place: f64| ((place * across - 0.5).ceil() as usize).saturating_sub(column).min(columns);
+        let row = &mut cells.stable[start..start + columns];
 
         let mut holds = self.calms.row(y);
         let mut from = 0;
-        let cells_of_row = &mut cells.stable[start..start + columns];
-        for to in self.calms.crossings.list().iter().map(|place| before(*place)).chain([columns]) {
+        for place in self.calms.crossings.list() {
+            let to = before(*place);
             if holds {
-                cells_of_row[from..to].fill(1);
+                row[from..to].fill(1);
                 cells.stable_count += to - from;
             }
             (from, holds) = (to, !holds);
+        }
+        if holds {
+            row[from..].fill(1);
+            cells.stable_count += columns - from;
         }
         if self.may_fall {
             let mut holds = self.stays.row(y);
             let mut from = 0;
             for to in self.stays.crossings.list().iter().map(|place| before(*place)).chain([columns]) {
                 if !holds {
-                    let fallen = &mut cells_of_row[from..to];
+                    let fallen = &mut row[from..to];
                     cells.stable_count -= fallen.iter().map(|stable| usize::from(*stable)).sum::<usize>();
                     fallen.fill(0);
                 }
                 (from, holds) = (to, !holds);
             }
         }
-        cells.made += columns;
-        match &mut self.rates {
-            Some(rates) => rates.advance(&self.stays.form.row(y), y, spec, cells),
-            None => Ok(()),
+        if let Some(rates) = &mut self.rates {
+            rates.advance(&self.stays.form.row(y), y, spec, cells)?;
         }
+        cells.made += columns;
+        Ok(())
     }
 }
 
@@ -88,7 +93,7 @@ impl Condition {
     #[inline]
     fn row(&mut self, y: f64) -> bool {
         let first = self.crossings.first();
-        let holds = self.form.row(y).cross(2.0 * first - self.before, &mut self.crossings);
+        let holds = self.form.row_in_line(y).cross(2.0 * first - self.before, &mut self.crossings);
         self.before = first;
         holds
     }
@@ -138,7 +143,7 @@ impl Rates {
             }
             let (real, imaginary) = cubic::rightmost(a2, a1, a0, above);
             start = *above;
-            cells.push_leading(spec.quantities, real, imaginary)?;
+            cells.note(cells.made + index, real, imaginary)?;
         }
         Ok(())
     }

@@ -1,0 +1,256 @@
+//! Boundaries of stability as curves: on them eigenvalues are on the axis, none is missed, and their area is right.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::{
+    planes::{Case, distance, eigenvalues, gear, named, run_with},
+    random::Random,
+};
+use nalgebra::Complex;
+use shimmy::{
+    Run,
+    model::Torsional,
+    stability::{CurveKind, EndKind, HopfCurve, Plane},
+};
+
+/// Every point of every curve, by the eigenvalues of the model's own Jacobian: what the curve says is on the axis is there
+/// to 1e-9 of the largest eigenvalue, with the frequency it says, and the others are where it says.
+fn assert_on_the_axis(case: &Case, curves: &[HopfCurve]) -> usize {
+    let mut points = 0;
+    for curve in curves {
+        assert!(curve.x.len() == curve.y.len() && curve.x.len() == curve.frequency.len() && curve.x.len() > 1);
+        for ((x, y), frequency) in curve.x.iter().zip(&curve.y).zip(&curve.frequency) {
+            let all = eigenvalues::<Torsional>(&case.at(*x, *y));
+            let size = all.iter().fold(0.0, |most: f64, value| most.max(value.norm()));
+            let what = || format!("{} at {x}, {y}: {all:?}", case.what());
+            let on_axis = |value: &&Complex<f64>| match curve.kind {
+                CurveKind::Hopf => value.im > 0.0,
+                CurveKind::Divergence => value.im.abs() < 1e-5 * size,
+            };
+            let crosses = all.iter().filter(on_axis).min_by(|a, b| a.re.abs().total_cmp(&b.re.abs()));
+            let crosses = crosses.unwrap_or_else(|| panic!("nothing of the kind: {}", what()));
+            // A double zero takes its root.
+            let near_double = crosses.im.abs() < 1e-4 * size;
+            assert!(crosses.re.abs() < if near_double { 1e-7 } else { 1e-9 } * size, "{}", what());
+            assert!((crosses.im / std::f64::consts::TAU - frequency).abs() < 1e-7 * size, "{frequency}: {}", what());
+            let mut others = all.iter().filter(|other| **other != *crosses && **other != crosses.conj());
+            let stable = others.all(|other| other.re < 1e-9 * size);
+            assert!(!curve.bounds || stable, "{}", what());
+            points += 1;
+        }
+        let last = curve.x.len() - 1;
+        assert_eq!(curve.closed, curve.x[0] == curve.x[last] && curve.y[0] == curve.y[last]);
+    }
+    points
+}
+
+#[test]
+fn curves_are_where_eigenvalues_cross_and_none_is_missed() {
+    let mut random = Random::seeded(11);
+    let (mut points, mut crossings, mut several) = (0, 0, 0);
+    for _ in 0..500 {
+        let case = Case::random(&mut random);
+        let curves = case.plane.hopf_curves().unwrap();
+        points += assert_on_the_axis(&case, &curves);
+        several += usize::from(curves.len() > 1);
+        // Straight lines between its points are within 1e-4 of the true boundary: wherever a row meets that, a curve is near.
+        for row in 0..40 {
+            let part = (row as f64 + random.unit()) / 40.0;
+            let (_, low, high) = case.axes[1];
+            for (x, kind) in case.ends_of_row(part) {
+                let kind = match kind {
+                    EndKind::Hopf => CurveKind::Hopf,
+                    EndKind::Divergence => CurveKind::Divergence,
+                    EndKind::Range => continue,
+                };
+                let at = case.unit(x, low + (high - low) * part);
+                let bounding = curves.iter().filter(|curve| curve.kind == kind && curve.bounds);
+                let nearest = bounding.fold(f64::INFINITY, |least, curve| least.min(distance(&case, curve, at)));
+                assert!(nearest < 1e-4, "{} at {at:?}: the nearest {kind:?} curve is {nearest} away", case.what());
+                crossings += 1;
+            }
+        }
+    }
+    assert!(points > 5_000 && crossings > 5_000 && several > 50, "{points} {crossings} {several}");
+}
+
+/// A curve ends at the edge, exactly, where it does not close or meet itself.
+#[test]
+fn curves_end_at_the_edge() {
+    let mut random = Random::seeded(12);
+    let (mut ends, mut meetings) = (0, 0);
+    for _ in 0..300 {
+        let case = Case::random(&mut random);
+        let [(_, left, right), (_, low, high)] = case.axes;
+        for curve in case.plane.hopf_curves().unwrap().iter().filter(|curve| !curve.closed) {
+            for i in [0, curve.x.len() - 1] {
+                let (x, y) = (curve.x[i], curve.y[i]);
+                if x == left || x == right || y == low || y == high {
+                    ends += 1;
+                } else {
+                    // k = 0 and no load: k + T is a product that is zero on an edge, too, and a curve ends where they meet.
+                    let [x, y] = case.unit(x, y);
+                    let to_edge = x.min(1.0 - x).min(y).min(1.0 - y);
+                    assert!(to_edge < 1e-6 && curve.kind == CurveKind::Divergence, "{}: {x} {y}", case.what());
+                    meetings += 1;
+                }
+            }
+        }
+    }
+    assert!(ends > 200 && meetings < 20, "{ends} {meetings}");
+}
+
+/// theory.md, section 2: critical speeds and dampings, on the curves between their points, to 5 digits.
+#[test]
+fn published_critical_values_lie_on_the_curve() {
+    let case = named(&[], ("velocity", 0.5, 1100.0), ("dampingConstant", 0.0, 60.0));
+    let curves = case.plane.hopf_curves().unwrap();
+    let [curve] = &curves[..] else { panic!("{curves:?}") };
+    assert!(curve.kind == CurveKind::Hopf && curve.bounds && !curve.closed);
+    // Where the curve itself is, not its chords: a plane so small that they cannot be told apart.
+    for (v, c) in [
+        (15.2593, 0.0),
+        (20.511, 10.0),
+        (1040.97, 10.0),
+        (27.600, 20.0),
+        (501.75, 20.0),
+        (37.263, 30.0),
+        (311.77, 30.0),
+        (51.881, 40.0),
+        (205.13, 40.0),
+        (30.0, 22.808),
+        (80.0, 48.530),
+        (100.70, 49.7927),
+    ] {
+        let near = named(&[], ("velocity", 0.99 * v, 1.01 * v), ("dampingConstant", (c - 1.0_f64).max(0.0), c + 1.0));
+        let curves = near.plane.hopf_curves().unwrap();
+        let nearest =
+            curves.iter().fold(f64::INFINITY, |least, curve| least.min(distance(&near, curve, near.unit(v, c))));
+        // Half a unit of the fifth digit of v is 2.5e-5 · v/2, at most, of a plane that is 0.02 v wide.
+        assert!(nearest < 2.5e-3, "{v} {c}: {nearest}");
+        assert!(distance(&case, curve, case.unit(v, c)) < 1e-4, "{v} {c}");
+    }
+    // Its top is where the two speeds meet.
+    let top = (0..curve.y.len()).max_by(|a, b| curve.y[*a].total_cmp(&curve.y[*b])).unwrap();
+    assert!((curve.y[top] - 49.7927).abs() < 5e-3, "{}", curve.y[top]);
+}
+
+#[test]
+fn an_island_of_shimmy_is_a_closed_curve() {
+    let case = named(&[("dampingConstant", 45.0)], ("velocity", 0.5, 300.0), ("casterLength", -0.3, 0.5));
+    let curves = case.plane.hopf_curves().unwrap();
+    let [island] = &curves[..] else { panic!("{} curves", curves.len()) };
+    assert!(island.closed && island.bounds && island.kind == CurveKind::Hopf);
+    // What is stable lies at its left: it goes round the island clockwise.
+    let doubled: f64 = (1..island.x.len())
+        .map(|i| (case.unit(island.x[i - 1], island.y[i - 1]), case.unit(island.x[i], island.y[i])))
+        .map(|(a, b)| a[0] * b[1] - a[1] * b[0])
+        .sum();
+    assert!((-1.0..-0.02).contains(&doubled), "{doubled}");
+    assert!((case.plane.stable_area().unwrap() - 100.0 * (1.0 + 0.5 * doubled)).abs() < 0.02);
+}
+
+/// The last sliver of an island, 1e-7 below the damping above which no speed is unstable: smaller than any grid would see.
+#[test]
+fn a_tiny_island_is_found() {
+    let case = named(&[("casterLength", 0.1)], ("velocity", 1.0, 1000.0), ("dampingConstant", 0.0, 200.0));
+    assert_eq!(case.plane.hopf_curves().unwrap().len(), 1);
+    // Over e the critical damping has a largest value too: near it the island in the e–v plane shrinks to a point.
+    let peak = |e: f64| {
+        let run = run_with::<Torsional>(&gear(&[("casterLength", e), ("dampingConstant", 0.0)]));
+        let at =
+            |v: f64| run.clone().with("velocity", v).unwrap().routh_hurwitz().unwrap().critical_damping.unwrap_or(0.0);
+        golden(at, 20.0, 400.0).1
+    };
+    let (e, most) = golden(peak, 0.0, 0.3);
+    let island = |c: f64| {
+        let axes = (("velocity", 0.5, 700.0), ("casterLength", -0.5, 0.5));
+        named(&[("dampingConstant", c)], axes.0, axes.1).plane.hopf_curves().unwrap()
+    };
+    let [tiny] = &island(most - 1e-5)[..] else { panic!("{:?} below {most} at {e}", island(most - 1e-5)) };
+    assert!(tiny.closed && tiny.y.iter().all(|y| (y - e).abs() < 1e-3), "{tiny:?}");
+    let width = |values: &[f64]| {
+        values.iter().fold(f64::MIN, |a, b| a.max(*b)) - values.iter().fold(f64::MAX, |a, b| a.min(*b))
+    };
+    assert!(width(&tiny.x) < 1.0 && width(&tiny.y) < 1e-3, "{} {}", width(&tiny.x), width(&tiny.y));
+    assert!(island(most + 1e-5).is_empty());
+}
+
+/// The place and the size of the largest value of a function that has one peak, by golden sections.
+fn golden(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
+    let part = 0.5 * (5.0_f64.sqrt() - 1.0);
+    while high - low > 1e-9 * high.abs().max(1.0) {
+        let (a, b) = (high - part * (high - low), low + part * (high - low));
+        if f(a) > f(b) { high = b } else { low = a }
+    }
+    (low.midpoint(high), f(low.midpoint(high)))
+}
+
+/// By eigenvalues alone, without the closed form: the same curves and the same area.
+#[test]
+fn any_models_way_finds_the_same_curves() {
+    for (changes, x, y) in [
+        (vec![], ("velocity", 0.5, 600.0), ("dampingConstant", 0.0, 100.0)),
+        (vec![], ("velocity", 0.5, 100.0), ("casterLength", -0.9, 0.5)),
+        (vec![("dampingConstant", 45.0)], ("velocity", 0.5, 300.0), ("casterLength", -0.3, 0.5)),
+        (vec![], ("casterLength", -0.5, 0.5), ("halfContactLength", 0.01, 0.3)),
+        (vec![("dampingConstant", 100.0)], ("velocity", 0.5, 100.0), ("freeplayAngle", 0.0, 0.05)),
+    ] {
+        let case = named(&changes, x, y);
+        let (closed, open) = (case.plane.hopf_curves().unwrap(), case.plane.hopf_curves_by_eigenvalues().unwrap());
+        assert_eq!(closed.len(), open.len(), "{}", case.what());
+        assert_on_the_axis(&case, &open);
+        for (a, b) in [(&closed, &open), (&open, &closed)] {
+            for curve in a {
+                let same = |other: &&HopfCurve| {
+                    (other.kind, other.closed, other.bounds) == (curve.kind, curve.closed, curve.bounds)
+                };
+                for i in 0..curve.x.len() {
+                    let at = case.unit(curve.x[i], curve.y[i]);
+                    let nearest =
+                        b.iter().filter(same).fold(f64::INFINITY, |least, other| least.min(distance(&case, other, at)));
+                    assert!(nearest < 1e-4, "{} at {at:?}: {nearest}", case.what());
+                }
+            }
+        }
+    }
+}
+
+/// Pacejka (theory.md 8.1): without damping the boundaries are lines, e = σ + a and e = −t, whatever the speed; and in the
+/// plane of e and a they cross nowhere.
+#[test]
+fn an_undamped_trailing_wheel_has_straight_boundaries() {
+    let undamped = [("dampingConstant", 0.0), ("treadWidthMomentConstant", 0.0)];
+    let case = named(&undamped, ("velocity", 0.5, 100.0), ("casterLength", -0.9, 0.9));
+    let curves = case.plane.hopf_curves().unwrap();
+    let mut heights: Vec<(f64, CurveKind)> = curves.iter().map(|curve| (curve.y[0], curve.kind)).collect();
+    heights.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let expected = [(-0.1 - 1e5 / 180e3, CurveKind::Divergence), (-0.1, CurveKind::Hopf), (0.4, CurveKind::Hopf)];
+    assert_eq!(heights.len(), expected.len(), "{heights:?}");
+    for ((height, kind), (at, of)) in heights.iter().zip(expected) {
+        assert!((height - at).abs() < 1e-12 && *kind == of, "{heights:?}");
+    }
+    for curve in &curves {
+        assert!(curve.y.iter().all(|y| (y - curve.y[0]).abs() < 1e-12) && curve.bounds);
+    }
+    let area = case.plane.stable_area().unwrap();
+    let expected = 100.0 * (0.5 + (1e5 / 180e3)) / 1.8;
+    assert!((area - expected).abs() < 1e-9, "{area} {expected}");
+}
+
+#[test]
+fn where_nothing_crosses_there_is_no_curve() {
+    let nothing = named(&[("verticalForce", 0.0)], ("velocity", 0.5, 100.0), ("dampingConstant", 1.0, 100.0));
+    assert!(nothing.plane.hopf_curves().unwrap().is_empty());
+    assert_eq!(nothing.plane.stable_area().unwrap(), 100.0);
+    // On the axis all over: a spring without any damping.
+    let undamped = [("verticalForce", 0.0), ("dampingConstant", 0.0), ("treadWidthMomentConstant", 0.0)];
+    let axis = named(&undamped, ("velocity", 0.5, 100.0), ("casterLength", 0.0, 0.5));
+    assert!(axis.plane.hopf_curves().unwrap().is_empty());
+    assert_eq!(axis.plane.stable_area().unwrap(), 0.0);
+    let run = Run::of("torsional").unwrap();
+    let limits = Plane::of(&run, ("sideForceLimitAngle", 0.01, 0.2), ("aligningMomentLimitAngle", 0.01, 0.2)).unwrap();
+    assert!(limits.hopf_curves().unwrap().is_empty());
+    assert_eq!(limits.stable_area().unwrap(), 0.0);
+}
