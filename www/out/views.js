@@ -20,8 +20,17 @@ export function chosenView(name, state) {
   return viewsOf(state).find((view) => view.name === name) ?? null;
 }
 
+/** The views of the lens *Stability* that are elements of their own; Routh's array is no picture. @type {Readonly<Record<string, Shown[]>>} */
+const panels = {
+  modes: [{ name: 'modes', element: '#lens-panel .phasors shimmy-canvas', title: titled('stability.view.modes') }],
+  routh: [],
+  beside: [{ name: 'planes', element: '#lens-panel .planes-beside shimmy-canvas', title: titled('beside.title') }],
+  histories: [{ name: 'histories', element: '#lens-panel .both-histories shimmy-canvas', title: titled('stability.view.histories') }],
+};
+
 /** @param {Looked['views']} views @returns {Shown[]} */
 function stabilityViews({ stability }) {
+  if (Object.hasOwn(panels, stability ?? '')) return panels[stability];
   if (stability === 'locus') return [{ name: 'locus', element: '#lens-panel shimmy-canvas', title: titled('stability.view.locus') }];
   const plane = { name: 'plane', element: '#lens-panel shimmy-plane shimmy-canvas', title: titled('stability.title') };
   return [

@@ -46,7 +46,7 @@ export class Routh extends Panel {
     const what = stable ? voice.say('routh.stable')
       : unstableRoots > 0 ? voice.say('routh.unstable', { count: unstableRoots }) : voice.say('routh.neutral', { count: neutralRoots });
     const isGapped = this.scene?.linear.isGapped ?? false;
-    return html`<h2 class=${stable ? '' : 'is-unstable'} role="status">${isGapped ? voice.say('stability.linear', { what }) : what}</h2>`;
+    return html`<div role="status"><h2 class=${stable ? '' : 'is-unstable'}>${isGapped ? voice.say('stability.linear', { what }) : what}</h2></div>`;
   }
 
   /** Where the gear is on the boundary, for a press. @param {Voice} voice */
@@ -89,7 +89,7 @@ function table({ rows, special, replaced }, voice) {
       <caption class="only-heard">${voice.say('routh.array')}</caption>
       <tbody>${rows.map((row, i) => html`
         <tr class=${breaks[i] ? 'breaks' : ''}>
-          <th scope="row">${typeset(power(written('s'), String(degree - i)))}</th>
+          <th scope="row"><i class="symbol">s</i><sup>${degree - i}</sup></th>
           ${Array.from({ length: width }, (_, place) => html`<td class=${place === 0 ? 'first' : ''}>${place < row.length ? typeset(measured(row[place], voice)) : ''}</td>`)}
           <td class="remark">
             ${breaks[i] ? html`<span class="mark">${voice.say('routh.breaks')}</span>` : ''}

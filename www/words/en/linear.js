@@ -55,6 +55,7 @@ export const linear = {
 
   'stability.view.beside': 'Side by side',
   'panel.line.beside': 'Press a plane to go there: the gear gets its values.',
+  'beside.title': 'Stability planes side by side',
   'beside.foreign': 'This object has none of the values that the thesis compares.',
   'beside.ready': 'What is compared',
   'beside.table.of': '{table}: {what}',

@@ -55,6 +55,7 @@ export const linear = {
 
   'stability.view.beside': 'Yan yana',
   'panel.line.beside': 'Bir düzleme basınca oraya gidilir: takım onun değerlerini alır.',
+  'beside.title': 'Yan yana kararlılık düzlemleri',
   'beside.foreign': 'Bu nesnede tezin karşılaştırdığı değerlerin hiçbiri yok.',
   'beside.ready': 'Ne karşılaştırılıyor',
   'beside.table.of': '{table}: {what}',
