@@ -12,7 +12,7 @@ import { linearLooks } from '../../www/run/linear-looks.js';
 import { parseList } from '../../www/words/list.js';
 import { cubicOf, usual } from './linear-gear.mjs';
 import { recordingContext, written } from './plot-recorder.mjs';
-import { engine } from './stories.mjs';
+import { engine, openedApp } from './stories.mjs';
 import { theme } from './theme.mjs';
 
 const { parameters } = /** @type {import('../../www/engine/engine.js').Model} */ (engine.models().find(({ name }) => name === 'torsional'));
@@ -155,4 +155,22 @@ test('a table as a file has its units in the header and empty fields for what is
   assert.equal(tableCsv([{ name: 'relaxationLength', unit: 'm' }, { name: 'stableShare', unit: '%' }, { name: 'a "b", c', unit: '' }], [[0.02, 90.5, 'x'], [0.07, null, 'y,z']]),
     'relaxationLength (m),stableShare (%),"a ""b"", c"\r\n0.02,90.5,x\r\n0.07,,"y,z"\r\n');
   assert.equal(csvOf({ time: [0, 0.5] }, { state: [] }), 'time (s)\r\n0\r\n0.5\r\n');
+});
+
+test('a link brings back what is seen beside the plane; what is wrong in it is told', () => {
+  const views = {
+    stability: 'beside', beside: 'velocity:0.5:100,dampingConstant:0:100,relaxationLength:0.05:0.2', besideSort: 'share,down', mode: 'real-1',
+    histories: 'lateralDeformation,0.5', casesSort: 'none',
+  };
+  const app = openedApp(`#shimmy=2&velocity=80&initial.torsionAngle=0.05&lens=stability&${Object.entries(views).map(([of, shows]) => `view.${of}=${shows}`).join('&')}`);
+  assert.deepEqual([app.notes, app.state.views], [[], views]);
+  assert.deepEqual(openedApp(app.link).state.views, views);
+  const wrong = { beside: 'velocity:0.5:100,dampingConstant:0:100', besideSort: 'share', mode: 'pair-0', histories: 'torsionAngle,3', casesSort: 'up' };
+  for (const [of, shows] of Object.entries(wrong)) {
+    const lost = openedApp(`#shimmy=2&velocity=80&initial.torsionAngle=0.05&view.${of}=${shows}`);
+    assert.equal(lost.state.views[of], undefined, of);
+    assert.match(lost.notes[0].text, new RegExp(`view.${of}`));
+  }
+  const refused = openedApp('#shimmy=2&velocity=80&initial.torsionAngle=0.05&view.beside=velocity:0.5:100,dampingConstant:0:100,relaxationLength:0.1:-1');
+  assert.equal(refused.state.views.beside, undefined, 'no gear has a relaxation length below 0');
 });

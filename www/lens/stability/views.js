@@ -8,8 +8,9 @@ import { RootsView } from './roots-view.js';
 import './routh.js';
 
 /**
- * The views of the lens *Stability*. A new one is a file here, its line in this list, its name in settings.js and in
- * the words (`stability.view.<name>`); its layout is in style/stability.css, under `[data-view='<name>']`.
+ * The views of the lens *Stability*. A new one is a file here (or an element of its own, see panel-view.js), its line in this
+ * list, its name in settings.js and in the words (`stability.view.<name>`); its layout is in style/stability.css, under
+ * `[data-view='<name>']`.
  *
  * @typedef {{
  *   template: (voice: import('../../words/voice.js').Voice) => unknown,
