@@ -55,8 +55,10 @@ export function presentCommands(app) {
       clock.play();
     },
     freeze: () => app.commands.toggle(),
+    /** Taken up, the run is frozen under it: on a run that goes on ink fades at once. It goes on when it is let go on. */
     pen: () => {
       app.isDrawing = !app.isDrawing;
+      if (app.isDrawing) clock.pause();
     },
     /** @param {{ view: string, points: import('../present/stroke.js').Point[] }} stroke */
     penStroke: ({ view, points }) => ink.add(view, points),

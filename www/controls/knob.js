@@ -107,7 +107,7 @@ export class Knob extends LitElement {
           @input=${this.#dragged} @change=${this.#settle} @keydown=${this.#sliderKey} />
       </div>
       ${labelsOf(scent, this.track)}
-      <p id="${id}-refusal" class="refusal" role="alert">${this.#complaint(quantity, name, voice)}</p>`;
+      <p id="${id}-refusal" class="refusal ${this.refusal ? 'refused' : 'noted'}" role="alert">${this.#complaint(quantity, name, voice)}</p>`;
   }
 
   updated() {

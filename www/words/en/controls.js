@@ -8,7 +8,7 @@ export const controls = {
   'dock.reset': 'Reset all',
 
   'knob.reset': '{name} back to {value}',
-  'knob.far': 'Far beyond the slider’s {min} to {max}.',
+  'knob.far': 'Set, though far beyond the slider’s {min} to {max}.',
   'knob.number': '{name}, exact number',
   'knob.explain': 'What is {name}',
   'knob.unit': '{name} is in {unit}: show it in {next}',

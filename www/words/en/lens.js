@@ -52,7 +52,7 @@ export const lens = {
   'forces.growing': 'The side force stays below its limit and grows with the slip angle.',
 
   'compare.portrait': 'The run and its ghosts: torsion rate over torsion angle.',
-  'compare.clear': 'Let all go',
+  'compare.clear': 'Let all ghosts go',
   'compare.same': 'the same values',
   'compare.shimmies': 'shimmies',
   'compare.dies-out': 'dies out',

@@ -8,7 +8,7 @@ export const controls = {
   'dock.reset': 'Hepsini sıfırla',
 
   'knob.reset': '{name} yeniden {value}',
-  'knob.far': 'Sürgünün {min} – {max} aralığının çok dışında.',
+  'knob.far': 'Ayarlandı, ama sürgünün {min} – {max} aralığının çok dışında.',
   'knob.number': '{name}, tam sayısal değer',
   'knob.explain': '{name} nedir',
   'knob.unit': '{name} {unit} ile veriliyor: {next} olarak göster',

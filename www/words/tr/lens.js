@@ -52,7 +52,7 @@ export const lens = {
   'forces.growing': 'Yanal kuvvet sınırının altında ve kayma açısıyla büyüyor.',
 
   'compare.portrait': 'Çalışma ve hayaletleri: burulma açısına karşı burulma hızı.',
-  'compare.clear': 'Hepsini bırak',
+  'compare.clear': 'Tüm hayaletleri bırak',
   'compare.same': 'aynı değerler',
   'compare.shimmies': 'shimmy yapıyor',
   'compare.dies-out': 'sönüyor',
