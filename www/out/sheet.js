@@ -53,7 +53,7 @@ export class OutSheet extends LitElement {
     if (!voice) return html``;
     const formats = runFormats.filter((format) => format !== 'python' || this.hasPython);
     return html`
-      <details class="out" @keydown=${this.#key}>
+      <details class="out" @keydown=${this.#key} @toggle=${this.#turned}>
         <summary class="framed">
           <svg viewBox="0 0 20 20" width="18" height="18" aria-hidden="true"><path d="M10 12.5v-10M6.5 5.5 10 2l3.5 3.5M6 9H4v8.5h12V9h-2"/></svg>
           <span>${voice.say('out.title')}</span>
@@ -118,6 +118,11 @@ export class OutSheet extends LitElement {
     // The same file may be chosen again.
     input.value = '';
     tell(this, 'openFile', { name: file.name, text });
+  }
+
+  /** What was said of an earlier wish is no word on the next. */
+  #turned() {
+    if (this.#details?.open) this.said = '';
   }
 
   /** A press elsewhere closes the sheet. @param {PointerEvent} event */

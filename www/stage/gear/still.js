@@ -29,7 +29,7 @@ const kept = new WeakMap();
  */
 export function drawStill(ctx, sheet, theme, key, box, draw) {
   // A context that writes lines (out/svg-context.js) takes no bitmaps.
-  if (!sheet.isCached || typeof OffscreenCanvas === 'undefined' || !('drawImage' in ctx)) {
+  if (!sheet.isCached || typeof OffscreenCanvas === 'undefined' || !('getTransform' in ctx)) {
     draw(ctx);
     return;
   }
