@@ -217,12 +217,12 @@ test('veiled, neither eye nor ear learns of map, roots and swing; revealed, they
 test('with a gap every verdict speaks of linear theory', async () => {
   const { page, leave } = await opened('&freeplayAngle=0.017453292519943295');
   const said = await untilSaid(page, /grows/);
-  assert.match(said, /\(linear theory\)$/);
+  assert.match(said, /\(linear theory, inside the gap\)$/);
   // Inside the gap no spring works.
   const [{ re, im }] = engine.eigenvalues({ model: 'torsional', parameters: { velocity: 80, dampingConstant: 30, torsionalStiffness: 0 } });
   assert.ok(said.includes(`grows ${re.toFixed(1)} s⁻¹, ${(im / (2 * Math.PI)).toFixed(1)} Hz`), said);
   assert.match(await page.locator('.share').innerText(), /^Linear theory inside the gap, where no spring works: /);
-  assert.match(await page.locator('.history canvas').getAttribute('aria-label') ?? '', /doubles in .*\(linear theory\)/);
+  assert.match(await page.locator('.history canvas').getAttribute('aria-label') ?? '', /doubles in .*\(linear theory, inside the gap\)/);
   await leave();
 });
 

@@ -109,8 +109,8 @@ test('with freeplay it is linear theory alone, of the gear with its spring', () 
   const of = gear({ velocity: 50, freeplayAngle: 0.0175 });
   const { marks, captions, inWords } = scent('dampingConstant', of);
   assert.deepEqual(marks.map(({ number }) => number), ['39.0']);
-  assert.deepEqual(captions.above, ['linear theory: stable above', 'linear: stable above']);
-  assert.equal(inWords, 'linear theory: stable above 39.0 N m s/rad');
+  assert.deepEqual(captions.above, ['linear theory, spring engaged: stable above', 'linear, spring engaged: stable above']);
+  assert.equal(inWords, 'linear theory, spring engaged: stable above 39.0 N m s/rad');
   for (const name of ['velocity', 'casterLength', 'torsionalStiffness'])
     for (const language of /** @type {const} */ (['en', 'tr'])) {
       const told = scent(name, of, { language });

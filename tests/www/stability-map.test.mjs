@@ -129,6 +129,34 @@ test('a word finds the roomiest place of its region, or none', () => {
   assert.equal(places.thin, undefined);
 });
 
+test('a phrase too wide for its region is broken, and a word under the gear goes elsewhere', () => {
+  const phrase = 'linear theory, inside the gap: unstable';
+  const placed = (/** @type {number} */ width) => {
+    const box = { left: 0, right: width, top: 0, bottom: 240 };
+    const { context } = recordingContext();
+    return sheetOf(context, box, map, { coloring: 'growthRate', limits, words: { stable: 'stable', hopf: phrase, divergence: '' } }, theme, voice).words.find(({ text }) => text.includes('unstable'));
+  };
+  assert.equal(placed(2000)?.text, phrase);
+  assert.equal(placed(420)?.text, 'linear theory,\ninside the gap:\nunstable');
+  const { context, named } = recordingContext();
+  drawStabilityMap(context, size, shown, theme, voice);
+  const [, x, y] = named('fillText').find(({ args }) => args[0] === 'shimmies')?.args ?? [];
+  const over = recordingContext();
+  const values = placesOfMap(frame, shown.x, shown.y);
+  drawStabilityMap(over.context, size, { ...shown, point: { x: values.valueX(x), y: values.valueY(y) } }, theme, voice);
+  const [, otherX, otherY] = over.named('fillText').find(({ args }) => args[0] === 'shimmies')?.args ?? [];
+  assert.ok(Math.abs(otherX - x) > 20 || Math.abs(otherY - y) > 15, `${otherX} ${otherY}`);
+});
+
+test('where freeplay is an axis, its closed edge is marked', () => {
+  const gap = { parameter: 'freeplayAngle', from: 0, to: 0.1, quantity: quantity('freeplayAngle', 'psi_fp', 'rad') };
+  const { context, named } = recordingContext();
+  drawStabilityMap(context, size, { ...shown, x: gap, boundary: [], engaged: 'spring engaged' }, theme, voice);
+  const edge = named('lineTo').filter(({ style }) => style.strokeStyle === theme.freeplayText);
+  assert.deepEqual(edge.map(({ args }) => args), [[frame.left, frame.top]]);
+  assert.ok(written(named('fillText')).includes('spring engaged'));
+});
+
 test('lines of one value lie on it, closed where they close, with their numbers', () => {
   const [across, up] = [80, 60];
   const values = Float64Array.from({ length: across * up }, (_, i) => Math.hypot(((i % across) + 0.5) / across - 0.5, (Math.floor(i / across) + 0.5) / up - 0.5));

@@ -19,7 +19,8 @@ import { textFont } from './text.js';
  * @typedef {{
  *   columns: number, rows: number, stable: Uint8Array, growthRate: Float64Array | null, frequency: Float64Array | null, kind: Uint8Array | null,
  * }} StabilityMap row by row from the lowest; `kind`: of the leading root, as the engine numbers them
- * @typedef {{ text: string, box: Box, color: string }} Word
+ * @typedef {{ text: string, box: Box, color: string, elsewhere?: Box }} Word `text`: its lines; `elsewhere`: where it goes while
+ *   something else stands in its box
  * @typedef {{
  *   hatch: Float32Array, lines: { x: number[], y: number[] }[], numbers: Word[], words: Word[],
  * }} MapSheet in px
@@ -55,13 +56,7 @@ export function sheetOf(context, frame, map, { coloring, limits, words }, theme,
   };
 
   context.font = textFont(theme, wordScale, 700);
-  const height = theme.size * wordScale * 1.5;
-  const sizes = Object.fromEntries(Object.entries(words).map(([region, word]) => [region, { width: context.measureText(word).width + theme.size, height }]));
-  const placed = Object.entries(roomiest(frame, regionAt, sizes)).map(([region, { x, y }]) => ({
-    text: words[/** @type {Region} */ (region)],
-    box: boxAround(x, y, sizes[region]),
-    color: region === 'stable' ? theme.stable : theme.unstable,
-  }));
+  const placed = placeWords(context, frame, regionAt, words, theme);
 
   const values = coloring === 'growthRate' ? growthRate : coloring === 'frequency' ? map.frequency : null;
   const levels = values ? levelsOf(coloring, limits) : [];
@@ -103,9 +98,50 @@ export function drawIsoLines(context, { lines, numbers }, theme) {
   writeWords(context, numbers, textFont(theme, 0.85), theme);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {MapSheet} sheet @param {Theme} theme */
-export function drawRegionWords(context, { words }, theme) {
-  writeWords(context, words, textFont(theme, wordScale, 700), theme);
+/** Words of the regions, none under what stands in `taken`. @param {CanvasRenderingContext2D} context @param {MapSheet} sheet @param {Box} taken @param {Theme} theme */
+export function drawRegionWords(context, { words }, taken, theme) {
+  const free = words.map((word) => (word.elsewhere && overlap(word.box, taken) ? { ...word, box: word.elsewhere } : word));
+  writeWords(context, free, textFont(theme, wordScale, 700), theme);
+}
+
+/**
+ * A word in each region that has room for it, on as few lines as it can.
+ * @param {CanvasRenderingContext2D} context with the font set
+ * @param {Box} frame
+ * @param {(across: number, up: number) => string} regionAt
+ * @param {Readonly<Record<Region, string>>} words
+ * @param {Theme} theme
+ * @returns {Word[]}
+ */
+function placeWords(context, frame, regionAt, words, theme) {
+  const sizeOf = (/** @type {string} */ text) => {
+    const lines = text.split('\n');
+    return { width: Math.max(...lines.map((line) => context.measureText(line).width)) + theme.size, height: theme.size * wordScale * (0.3 + 1.2 * lines.length) };
+  };
+  return /** @type {Region[]} */ (Object.keys(words)).flatMap((region) => {
+    for (const text of brokenIn(words[region])) {
+      const size = sizeOf(text);
+      const place = (/** @type {typeof regionAt} */ where) => roomiest(frame, where, { [region]: size })[region];
+      const first = place(regionAt);
+      if (!first) continue;
+      const box = boxAround(first.x, first.y, size);
+      const second = place((across, up) => (holds(box, frame, across, up) ? '' : regionAt(across, up)));
+      return [{ text, box, color: region === 'stable' ? theme.stable : theme.unstable, ...(second && { elsewhere: boxAround(second.x, second.y, size) }) }];
+    }
+    return [];
+  });
+}
+
+/** A phrase on more and more lines: it is broken after a colon, then after a comma. @param {string} phrase */
+function brokenIn(phrase) {
+  const two = phrase.replaceAll(': ', ':\n');
+  return [...new Set([phrase, two, two.replaceAll(', ', ',\n')])];
+}
+
+/** @param {Box} box @param {Box} frame @param {number} across @param {number} up shares of the frame */
+function holds(box, frame, across, up) {
+  const [x, y] = [frame.left + across * (frame.right - frame.left), frame.bottom - up * (frame.bottom - frame.top)];
+  return x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;
 }
 
 export { drawHatch };
@@ -118,10 +154,15 @@ function writeWords(context, words, font, theme) {
   context.lineJoin = 'round';
   context.lineWidth = 4;
   context.strokeStyle = theme.surface;
-  for (const { text, box } of words) context.strokeText(text, (box.left + box.right) / 2, (box.top + box.bottom) / 2);
-  for (const { text, box, color } of words) {
+  const lines = words.flatMap(({ text, box, color }) => {
+    const written = text.split('\n');
+    const step = (box.bottom - box.top) / (written.length + 0.25);
+    return written.map((line, i) => ({ line, color, x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 + (i - (written.length - 1) / 2) * step }));
+  });
+  for (const { line, x, y } of lines) context.strokeText(line, x, y);
+  for (const { line, color, x, y } of lines) {
     context.fillStyle = color;
-    context.fillText(text, (box.left + box.right) / 2, (box.top + box.bottom) / 2);
+    context.fillText(line, x, y);
   }
 }
 

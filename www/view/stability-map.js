@@ -5,9 +5,9 @@ import { linear } from './scale.js';
 import { drawMapLegend } from './map-legend.js';
 import { drawHatch, drawIsoLines, drawRegionWords } from './map-sheet.js';
 import { parameterAxis } from './parameter-axis.js';
-import { widthOfLabel } from './text.js';
+import { textFont, widthOfLabel } from './text.js';
 import { drawVeil } from './veil.js';
-import { drawWorkingPoint } from './working-point.js';
+import { boxOfWorkingPoint, drawWorkingPoint } from './working-point.js';
 
 /**
  * A plane of two parameters: where the gear is stable, how fast a swing grows or falls there, and where the gear is.
@@ -22,10 +22,14 @@ import { drawWorkingPoint } from './working-point.js';
  * @typedef {Range & { quantity: Quantity }} Side
  * @typedef {{
  *   x: Side, y: Side, image: CanvasImageSource | null, sheet: MapSheet | null, boundary: readonly import('../run/linear-looks.js').BoundaryCurve[],
- *   coloring: import('./map-colors.js').Coloring, limits: import('./map-colors.js').Limits, point: { x: number, y: number }, readings: readonly string[], veiled?: boolean,
- * }} Shown `image`: the map's colors, a pixel a cell; `point`: the gear's values; `readings`: what is read off, in fewer and fewer words;
+ *   coloring: import('./map-colors.js').Coloring, limits: import('./map-colors.js').Limits, point: { x: number, y: number }, readings: readonly string[], engaged?: string, veiled?: boolean,
+ * }} Shown `image`: the map's colors, a pixel a cell; `point`: the gear's values; `readings`: what is read off, in fewer and fewer words; `engaged`: what to write at
+ *   the edge where freeplay is 0, if that is an edge: on it alone the spring works;
  *   `veiled`: nothing of what is stable is to be seen yet
  */
+
+/** What opens the gap. */
+export const gapParameter = 'freeplayAngle';
 
 /** Narrower than this, in widths of small type, an axis is called by its symbol alone. */
 const narrow = 34;
@@ -83,11 +87,37 @@ export function drawStabilityMap(context, size, shown, theme, voice) {
     context.clip();
     if (sheet) drawIsoLines(context, sheet, theme);
     drawBoundary(context, boundary, place.x, place.y, theme);
-    if (sheet) drawRegionWords(context, sheet, theme);
+    if (sheet) drawRegionWords(context, sheet, boxOfWorkingPoint(place.x(point.x), place.y(point.y), theme), theme);
+    if (shown.engaged) markEngaged(context, frame, shown, shown.engaged, theme);
     context.restore();
     const nameWidth = widthOfLabel(context, x.name(false), theme, 600);
     drawMapLegend(context, { left: frame.left, right: frame.right - nameWidth - theme.size, middle: frame.bottom + theme.size * 2.35 }, shown, theme, voice);
   }
   drawWorkingPoint(context, frame, { x: place.x(point.x), y: place.y(point.y) }, theme);
   writeCornerReading(context, shown.readings, frame, width - widthOfLabel(context, y.name(isNarrow), theme, 600) - theme.size, theme);
+}
+
+/**
+ * The edge on which the gap is closed, and what is so there.
+ * @param {CanvasRenderingContext2D} context @param {Box} frame @param {Shown} shown @param {string} words @param {Theme} theme
+ */
+function markEngaged(context, { left, right, top, bottom }, { x }, words, theme) {
+  const isUpright = x.parameter === gapParameter;
+  const end = isUpright ? { x: left, y: top } : { x: right, y: bottom };
+  context.strokeStyle = theme.freeplayText;
+  context.lineWidth = 6 * theme.line;
+  context.beginPath();
+  context.moveTo(left, bottom);
+  context.lineTo(end.x, end.y);
+  context.stroke();
+  context.font = textFont(theme, 0.95, 600);
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  context.lineJoin = 'round';
+  context.lineWidth = 4;
+  context.strokeStyle = theme.surface;
+  const [across, up] = [left + 0.7 * theme.size, isUpright ? top + theme.size : bottom - theme.size];
+  context.strokeText(words, across, up);
+  context.fillStyle = theme.freeplayText;
+  context.fillText(words, across, up);
 }

@@ -9,6 +9,12 @@
 /** In px. */
 const radius = 9;
 
+/** What it covers. @param {number} x in px @param {number} y @param {Theme} theme @returns {Box} */
+export function boxOfWorkingPoint(x, y, theme) {
+  const reach = radius * Math.sqrt(theme.line) + 3 * theme.line;
+  return { left: x - reach, right: x + reach, top: y - reach, bottom: y + reach };
+}
+
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {Box} frame

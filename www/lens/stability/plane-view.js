@@ -1,4 +1,5 @@
 import { html } from 'lit';
+import { gapParameter } from '../../view/stability-map.js';
 import { planeChoices } from './choices.js';
 import './plane.js';
 import { PlaneMap } from './plane-map.js';
@@ -97,7 +98,8 @@ export class PlaneView {
     const [across, up] = [this.#lens.quantity(x.parameter), this.#lens.quantity(y.parameter)];
     if (this.#share === null || !across || !up) return voice.say('stability.none');
     const share = voice.say('stability.share', { share: voice.number(this.#share, 1), x: rangeInWords(across, x, voice), y: rangeInWords(up, y, voice) });
-    return this.#lens.isGapped ? voice.say('stability.share.gap', { share }) : share;
+    const isGapped = this.#lens.isGapped || [x, y].some(({ parameter }) => parameter === gapParameter);
+    return isGapped ? voice.say('stability.share.gap', { share }) : share;
   }
 
   /** @param {Voice} voice */

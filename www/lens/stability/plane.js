@@ -2,9 +2,9 @@ import { LitElement, html } from 'lit';
 import { tell } from '../../command.js';
 import '../../view/canvas.js';
 import { sheetOf } from '../../view/map-sheet.js';
-import { drawStabilityMap, frameOfMap, placesOfMap } from '../../view/stability-map.js';
+import { drawStabilityMap, frameOfMap, gapParameter, placesOfMap } from '../../view/stability-map.js';
 import { paintMapImage } from './map-image.js';
-import { becomesInTheory, lowerName, plainSymbol, valueInWords } from './say.js';
+import { becomes, becomesBriefly, lowerName, plainSymbol, valueInWords } from './say.js';
 
 /**
  * @typedef {import('../../controls/quantity.js').Quantity} Quantity
@@ -97,6 +97,12 @@ export class Plane extends LitElement {
     return x && y ? { x, y } : null;
   }
 
+  /** The side along which the gap opens, if one does: then the plane speaks of linear theory, wherever its point is. */
+  get #gapSide() {
+    const sides = this.#sides;
+    return sides ? [sides.x, sides.y].find(({ parameter }) => parameter === gapParameter) : undefined;
+  }
+
   /** Frame and scales of what is on the screen. */
   get #places() {
     const { plane } = this;
@@ -148,6 +154,7 @@ export class Plane extends LitElement {
       ...sides, image: looked ? this.#image : null, sheet: looked ? this.#sheet : null, boundary: looked?.boundary ?? [],
       coloring: plane.coloring, limits: looked?.limits ?? { growthRate: 1, frequency: [0, 1] },
       point: this.#point, readings: this.#readings(read), veiled: isVeiled,
+      engaged: this.#gapSide?.from === 0 ? voice.say('stability.engaged', { symbol: plainSymbol(this.#gapSide.quantity) }) : '',
     }, theme, voice);
   };
 
@@ -156,7 +163,7 @@ export class Plane extends LitElement {
     const { plane } = this;
     if (!plane) return;
     const { coloring } = plane;
-    const isLinearOnly = this.#scene?.linear.isGapped ?? false;
+    const isLinearOnly = (this.#scene?.linear.isGapped ?? false) || this.#gapSide !== undefined;
     const look = [map, limits, theme, coloring];
     if (look.some((one, i) => one !== this.#imageOf[i])) {
       paintMapImage(map, { coloring, limits }, theme, this.#image);
@@ -187,8 +194,10 @@ export class Plane extends LitElement {
     } catch {
       roots = /** @type {import('../../view/root-paths.js').Root[]} */ ([]);
     }
-    const what = becomesInTheory(roots, linear.isGapped, voice);
-    return [voice.say('stability.reading', { x, y, what }), what];
+    const gap = this.#gapSide;
+    const isGapped = gap ? (gap.parameter === plane.x.parameter ? point.x : point.y) > 0 : linear.isGapped;
+    const briefly = gap && !isGapped ? [voice.say('stability.linear.engaged', { what: becomes(roots, voice) })] : becomesBriefly(roots, isGapped, voice);
+    return [voice.say('stability.reading', { x, y, what: briefly[0] }), ...briefly];
   }
 
   /** @param {PointerEvent} event */

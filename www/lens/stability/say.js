@@ -39,13 +39,22 @@ export function becomesInTheory(roots, isGapped, voice) {
   return isGapped ? voice.say('stability.linear', { what }) : what;
 }
 
+/** The same in fewer words, for where there is little room: that it is linear theory goes last. @param {readonly Root[]} roots @param {boolean} isGapped @param {Voice} voice */
+export function becomesBriefly(roots, isGapped, voice) {
+  const what = becomesInTheory(roots, isGapped, voice);
+  if (!isGapped || roots.length === 0) return [what];
+  return [what, voice.say('stability.linear.short', { rate: signed(roots[0].re, voice) }), voice.say('panel.theory')];
+}
+
+/** A rate of growth with its sign. @param {number} rate @param {Voice} voice */
+const signed = (rate, voice) => (rate > 0 ? '+' : rate < 0 ? '−' : '') + rateOf(rate, voice);
+
 /** The pair in numbers: `52.1 Hz · +12.3 s⁻¹ · ζ −0.038`. @param {readonly Root[]} roots @param {Voice} voice */
 export function pairInNumbers(roots, voice) {
   const pair = pairOf(roots);
-  const signed = (/** @type {number} */ rate) => (rate > 0 ? '+' : rate < 0 ? '−' : '') + rateOf(rate, voice);
-  if (!pair) return roots.length > 0 ? voice.say('roots.real', { rate: signed(roots[0].re) }) : '';
+  if (!pair) return roots.length > 0 ? voice.say('roots.real', { rate: signed(roots[0].re, voice) }) : '';
   const ratio = -pair.re / Math.hypot(pair.re, pair.im);
-  return voice.say('roots.pair', { frequency: voice.number(pair.im / circle, 1), rate: signed(pair.re), ratio: voice.number(ratio, 3) });
+  return voice.say('roots.pair', { frequency: voice.number(pair.im / circle, 1), rate: signed(pair.re, voice), ratio: voice.number(ratio, 3) });
 }
 
 /** The same in fewer and fewer words. @param {readonly Root[]} roots @param {Voice} voice */
@@ -62,9 +71,20 @@ export function crossingInWords({ kind, at }, voice) {
 
 /** How long a swing takes to double or to halve. @param {number} growthRate @param {Voice} voice */
 export function doubling(growthRate, voice) {
+  const time = millisecondsOf(growthRate, voice);
+  return time ? voice.say(growthRate > 0 ? 'history.doubles' : 'history.halves', { time }) : voice.say('history.lasts');
+}
+
+/** The same in signs: `× 2: 81 ms`. @param {number} growthRate @param {Voice} voice */
+export function doublingInSigns(growthRate, voice) {
+  const time = millisecondsOf(growthRate, voice);
+  return time && `${voice.say(growthRate > 0 ? 'cases.doubles' : 'cases.halves', { time })} ms`;
+}
+
+/** @param {number} growthRate @param {Voice} voice */
+function millisecondsOf(growthRate, voice) {
   const time = (Math.LN2 / Math.abs(growthRate)) * 1000;
-  if (!(time < 1e5)) return voice.say('history.lasts');
-  return voice.say(growthRate > 0 ? 'history.doubles' : 'history.halves', { time: voice.number(time, decimalsFor(time, 2)) });
+  return time < 1e5 ? voice.number(time, decimalsFor(time, 2)) : '';
 }
 
 /** A symbol with a value and its unit: `v 80.0 m/s`. @param {Quantity} quantity @param {number} value @param {Voice} voice */
@@ -74,7 +94,9 @@ export function valueInWords(quantity, value, voice) {
 
 /** A range: `v 0.5 … 100 m/s`. @param {Quantity} quantity @param {Range} range @param {Voice} voice */
 export function rangeInWords(quantity, { from, to }, voice) {
-  return voice.say('stability.range', { symbol: plainSymbol(quantity), from: shortNumber(quantity, from, voice), to: withUnit(shortNumber(quantity, to, voice), quantity.unit) });
+  const range = voice.say('stability.range', { symbol: plainSymbol(quantity), from: shortNumber(quantity, from, voice), to: withUnit(shortNumber(quantity, to, voice), quantity.unit) });
+  // A range is one word to a line's end.
+  return range.replaceAll(' ', '\u00a0');
 }
 
 /** A value without needless zeros: `0.5`, `100`. @param {Quantity} quantity @param {number} value @param {Voice} voice */

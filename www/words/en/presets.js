@@ -41,12 +41,12 @@ export const presets = {
   'preset.too-fast.3': 'Past {vBoundary} m/s the tire brings in more than this damper takes: it grows to {swing}.',
 
   'preset.freeplay': 'Freeplay',
-  'preset.freeplay.tells': 'Linear theory calls this gear stable, and yet it rattles.',
-  'preset.freeplay.1': 'Without a gap this gear is calm. Linear theory asks for a damping of {cBoundary}, and it has {c}.',
+  'preset.freeplay.tells': 'With its spring this gear is stable in linear theory, and yet it rattles.',
+  'preset.freeplay.1': 'Without a gap this gear is calm. With its spring, linear theory asks for a damping of {cBoundary}, and it has {c}.',
   'preset.freeplay.2': 'With a gap of {gap} the same gear rattles, {swing} at {beat}.',
-  'preset.freeplay.3': 'Linear theory calls this gear stable. Now half the gap: what becomes of the rattle?',
+  'preset.freeplay.3': 'With its spring, linear theory calls it stable. Now half the gap: what becomes of the rattle?',
   'preset.freeplay.4': 'Half the gap, half the rattle: {swing} instead of {ghostSwing}. It does not end.',
-  'preset.freeplay.5': 'Inside the gap no spring holds the wheel, and there the tire swings it. Outside, the spring calms it.',
+  'preset.freeplay.5': 'Inside the gap no spring holds the wheel: there linear theory is unstable. Outside, the spring calms it.',
   'preset.freeplay.6': 'At {v} m/s the same gap is calm: past {vGap} the tire no longer swings the wheel inside it.',
 
   'preset.double-gap': 'Double the gap, double the rattle',

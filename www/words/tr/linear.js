@@ -1,7 +1,7 @@
 /** Words of the lens Stability beside its planes, in Turkish. @type {typeof import('../en/linear.js').linear} */
 export const linear = {
-  'panel.theory': 'doğrusal teori',
-  'panel.gapped': 'Yayın çalışmadığı boşluk içinde doğrusal teori. {line}',
+  'panel.theory': 'doğrusal kuram',
+  'panel.gapped': 'Yayın çalışmadığı boşluk içinde doğrusal kuram. {line}',
 
   'stability.view.routh': 'Routh tablosu',
   'panel.line.routh': 'İlk sütundaki her işaret değişimi, büyüyen bir köktür. Kritik bir değere basınca oraya gidilir.',
@@ -78,17 +78,17 @@ export const linear = {
   'beside.table': 'Her düzlemin kararlı payı',
   'beside.column': 'kararlı %',
 
-  'stability.view.histories': 'Doğrusal ve değil',
-  'panel.line.histories': 'Koşunun başından, şu anki değerlerle. Bir duruma basınca o kurulur.',
+  'stability.view.histories': 'Doğrusal, gerçek',
+  'panel.line.histories': 'Çalışmanın başından, şu anki değerlerle. Bir duruma basınca o kurulur.',
   'histories.name': '{state}: ψ(0) = {start} rad başlangıcıyla, {duration} s boyunca doğrusal ve doğrusal olmayan zaman geçmişi. {reading}.',
   'histories.state': 'Ne gösteriliyor',
   'histories.span': 'Ne kadar süre',
   'histories.seconds': '{duration} s',
   'histories.linear': 'doğrusal',
   'histories.nonlinear': 'doğrusal olmayan',
-  'histories.foreign': 'Doğrusal teorinin bu nesne için kendi modeli yok.',
+  'histories.foreign': 'Doğrusal kuramın bu nesne için kendi modeli yok.',
   'histories.start': 'ψ(0) = {start} rad',
-  'cases.table': 'Doğrusal teorinin tezdeki durumlar için söylediği, Şekil 5.59–5.86',
+  'cases.table': 'Doğrusal kuramın tezdeki durumlar için söylediği, Şekil 5.59–5.86',
   'cases.grows': 'büyüyor',
   'cases.falls': 'sönüyor',
   'cases.becomes': 'sonuç',

@@ -41,12 +41,12 @@ export const presets = {
   'preset.too-fast.3': '{vBoundary} m/s üstünde lastik, bu sönümleyicinin aldığından çoğunu veriyor: {swing}’ye büyüyor.',
 
   'preset.freeplay': 'Boşluk',
-  'preset.freeplay.tells': 'Doğrusal kuram bu takıma kararlı diyor, o ise takırdıyor.',
-  'preset.freeplay.1': 'Boşluk yokken bu takım sakin. Doğrusal kurama göre {cBoundary} sönüm gerek, onda {c} var.',
+  'preset.freeplay.tells': 'Doğrusal kuram yayla bu takıma kararlı diyor, o ise takırdıyor.',
+  'preset.freeplay.1': 'Boşluk yokken bu takım sakin. Yayla, doğrusal kurama göre {cBoundary} sönüm gerek, onda {c} var.',
   'preset.freeplay.2': '{gap} boşlukla aynı takım takırdıyor: {swing}, {beat}.',
-  'preset.freeplay.3': 'Doğrusal kuram bu takıma kararlı diyor. Şimdi boşluk yarıya iniyor: takırtı ne olur?',
+  'preset.freeplay.3': 'Doğrusal kuram yayla bu takıma kararlı diyor. Şimdi boşluk yarıya iniyor: takırtı ne olur?',
   'preset.freeplay.4': 'Yarım boşluk, yarım takırtı: {ghostSwing} yerine {swing}. Ama bitmiyor.',
-  'preset.freeplay.5': 'Boşluğun içinde tekerleği hiçbir yay tutmuyor, lastik onu orada sallıyor. Dışında yay durultuyor.',
+  'preset.freeplay.5': 'Boşluğun içinde tekerleği hiçbir yay tutmuyor: orada doğrusal kurama göre de kararsız. Dışında yay durultuyor.',
   'preset.freeplay.6': '{v} m/s’de aynı boşluk sakin: {vGap} üstünde lastik tekerleği boşluğun içinde artık sallamıyor.',
 
   'preset.double-gap': 'Boşluk iki kat, takırtı iki kat',
