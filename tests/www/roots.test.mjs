@@ -136,6 +136,23 @@ test('a walk grows while values change and begins anew after a rest; a crossing 
   assert.equal(walk.trail.length, 2);
 });
 
+test('who undoes a walk, or several, has no way behind', () => {
+  const walk = new RootsWalk();
+  const at = (/** @type {number} */ velocity, /** @type {number} */ now) => walk.follow(gear({ velocity, dampingConstant: 20 }), now);
+  at(20, 0);
+  at(24, 10);
+  at(30, 10.1);
+  assert.ok(walk.crossing);
+  assert.equal(at(20, 12), 'changed');
+  assert.deepEqual([walk.trail, walk.crossing], [[walk.roots], null]);
+  at(30, 20);
+  at(40, 30);
+  at(30, 40);
+  assert.deepEqual([walk.trail, walk.crossing], [[walk.roots], null]);
+  at(20, 40.2);
+  assert.deepEqual([walk.trail, walk.crossing], [[walk.roots], null]);
+});
+
 test('the picture of the roots widens for a pair and narrows only when it is fitted', () => {
   const held = new RootsLimits();
   const [first, second] = [{}, {}];

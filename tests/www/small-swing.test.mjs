@@ -46,6 +46,16 @@ test('with a gap it is the gear without a spring, and stays within the gap', () 
   }
 });
 
+test('window and scale hold the whole swing', () => {
+  /** @type {Record<string, number>[]} */
+  const gears = [{ velocity: 80, dampingConstant: 20 }, { velocity: 80, dampingConstant: 0 }, { velocity: 20, dampingConstant: 20 }, { velocity: 80, dampingConstant: 47 }, { velocity: 10, dampingConstant: 0, casterLength: -0.3 }];
+  for (const values of gears) {
+    const { angle, limit, duration } = smallSwing(linearLooks(engine, { model: 'torsional', parameters: values }), rootsOf(values));
+    const peak = angle.reduce((most, one) => Math.max(most, Math.abs(one)), 0);
+    assert.ok(peak <= limit && limit < 12, `${JSON.stringify(values)}: ${peak} of ±${limit} in ${duration} s`);
+  }
+});
+
 test('the amplitude of a sinusoid in an envelope is found', () => {
   const time = Float64Array.from({ length: 400 }, (_, i) => i / 2000);
   const angle = time.map((t) => 0.7 * Math.exp(9 * t) * Math.cos(320 * t + 1));

@@ -1,8 +1,8 @@
 import { html } from 'lit';
 import '../view/canvas.js';
 import { PlotLens } from './plot-lens.js';
-import { RootsWalk } from './stability/roots-walk.js';
-import { becomesInTheory, crossingInWords } from './stability/say.js';
+import { RootsWalk, isStable } from './stability/roots-walk.js';
+import { crossingInWords } from './stability/say.js';
 import { viewNames } from './stability/settings.js';
 import { stabilityViews } from './stability/views.js';
 
@@ -75,6 +75,12 @@ export class StabilityLens extends PlotLens {
       </div>`;
   }
 
+  /** What stays true however far the walk goes on, so without a number. @param {readonly import('../view/root-paths.js').Root[]} roots @param {Voice} voice */
+  #becomes(roots, voice) {
+    const what = voice.say(isStable(roots) ? 'roots.falls' : 'roots.grows');
+    return this.isGapped ? voice.say('stability.linear', { what }) : what;
+  }
+
   /** @param {Map<string, unknown>} changed */
   updated(changed) {
     if ([...changed.keys()].every((name) => unseen.includes(name))) return;
@@ -91,7 +97,8 @@ export class StabilityLens extends PlotLens {
     const followed = this.walk.follow(scene, performance.now() / 1000);
     const { crossing, roots } = this.walk;
     if (followed === 'crossed' && crossing && voice)
-      this.said = voice.say('roots.said', { crossing: crossingInWords(crossing, voice), what: becomesInTheory(roots, this.isGapped, voice) });
+      this.said = voice.say('roots.said', { crossing: crossingInWords(crossing, voice), what: this.#becomes(roots, voice) });
+    else if (followed === 'changed' && !crossing) this.said = '';
     if (wasGapped !== this.isGapped) this.requestUpdate();
     if (this.quantities.length > 1) this.#shown.draw(scene);
   }

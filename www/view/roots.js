@@ -97,7 +97,8 @@ function markCrossing(context, { at, text }, { frame, x, y }, theme) {
   context.lineJoin = 'round';
   context.lineWidth = 4;
   context.strokeStyle = theme.surface;
-  const below = Math.min(up + 1.4 * theme.size, frame.bottom - 0.8 * theme.size);
+  // The numbers of the rays stand along the upper edge.
+  const below = Math.min(Math.max(up + 1.4 * theme.size, frame.top + 2.4 * theme.size), frame.bottom - 0.8 * theme.size);
   context.strokeText(text, across - theme.size, below);
   context.fillStyle = theme.ink;
   context.fillText(text, across - theme.size, below);

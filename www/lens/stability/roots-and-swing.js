@@ -3,7 +3,7 @@ import { drawLinearHistory } from '../../view/linear-history.js';
 import { pathsThrough } from '../../view/root-paths.js';
 import { drawRoots } from '../../view/roots.js';
 import { RootsLimits } from './roots-limits.js';
-import { crossingInWords, doubling, pairInNumbers, pairReadings } from './say.js';
+import { crossingInWords, doubling, doublingInSigns, pairInNumbers, pairReadings } from './say.js';
 import { smallSwing } from './small-swing.js';
 
 /**
@@ -13,9 +13,6 @@ import { smallSwing } from './small-swing.js';
  * @typedef {import('../../view/canvas.js').Paint} Paint
  * @typedef {import('../../words/voice.js').Voice} Voice
  */
-
-/** A swing is drawn up to so many times its start: what grows leaves the picture, and the scale stays. */
-const historyLimit = 3;
 
 /** The roots with the way they have come, and beside them a small swing in its envelope. */
 export class RootsAndSwing {
@@ -78,7 +75,8 @@ export class RootsAndSwing {
   #doublings(voice) {
     if (!this.#swing) return [''];
     const what = doubling(this.#swing.growthRate, voice);
-    return this.#lens.isGapped ? [voice.say('stability.linear', { what }), what] : [what];
+    const brief = doublingInSigns(this.#swing.growthRate, voice);
+    return this.#lens.isGapped ? [voice.say('stability.linear', { what }), what, brief] : [what, brief];
   }
 
   /** @type {Paint} */
@@ -97,7 +95,7 @@ export class RootsAndSwing {
     const { voice, theme, isVeiled } = this.#lens;
     const swing = this.#swing;
     if (!voice || !theme || !swing) return;
-    drawLinearHistory(context, size, { ...swing, limit: historyLimit, readings: this.#doublings(voice), veiled: isVeiled }, theme, voice);
+    drawLinearHistory(context, size, { ...swing, readings: this.#doublings(voice), veiled: isVeiled }, theme, voice);
   };
 }
 

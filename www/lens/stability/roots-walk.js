@@ -12,6 +12,8 @@ import { isSameRecord } from '../../store.js';
 /** A rest longer than this ends a walk: the next change begins another, in s. */
 const rest = 1;
 const longestTrail = 240;
+/** So many beginnings of walks are remembered. */
+const mostStarts = 100;
 /** A crossing is found to this share of the way. */
 const halvings = 40;
 /** A root this near to the axis, measured by its distance from 0, is on it. */
@@ -20,6 +22,7 @@ const onAxis = 1e-6;
 export class RootsWalk {
   /** @type {{ object: string, values: Readonly<Record<string, number>> } | null} */ #gear = null;
   #changedAt = -Infinity;
+  /** Where walks began: who is back there has undone what came of them. @type {Readonly<Record<string, number>>[]} */ #starts = [];
   /** @type {readonly Root[]} */ roots = [];
   /** Sets of roots, the oldest first. @type {(readonly Root[])[]} */ trail = [];
   /** The last crossing of this walk. @type {Crossing | null} */ crossing = null;
@@ -42,13 +45,19 @@ export class RootsWalk {
       return 'changed';
     }
     if (last?.object !== object || before.length !== this.roots.length) {
-      this.trail = [this.roots];
-      this.crossing = null;
-      return 'changed';
+      this.#starts = [];
+      return this.#rest();
+    }
+    const start = this.#starts.findLastIndex((one) => isSameRecord(one, parameters));
+    if (start >= 0) {
+      this.#starts.length = start;
+      return this.#rest();
     }
     if (now - this.#changedAt > rest) {
       this.trail = [before];
       this.crossing = null;
+      this.#starts.push(last.values);
+      if (this.#starts.length > mostStarts) this.#starts.shift();
     }
     this.#changedAt = now;
     this.trail.push(this.roots);
@@ -56,6 +65,14 @@ export class RootsWalk {
     if (isStable(before) === isStable(this.roots)) return 'changed';
     this.crossing = crossingBetween(linear.eigenvalues, last.values, parameters);
     return this.crossing ? 'crossed' : 'changed';
+  }
+
+  /** No way has been come. @returns {'changed'} */
+  #rest() {
+    this.trail = [this.roots];
+    this.crossing = null;
+    this.#changedAt = -Infinity;
+    return 'changed';
   }
 }
 

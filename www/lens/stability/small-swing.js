@@ -5,11 +5,15 @@
  * @typedef {import('../../view/root-paths.js').Root} Root
  */
 
+import { roundLimit } from '../../view/scale.js';
+
 /** How long it is watched, in s: the first of these that holds some cycles. */
-const durations = [0.05, 0.1, 0.2, 0.5, 1, 2, 5];
+const durations = [0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 1, 1.5, 2, 3, 5];
 const cycles = 8;
 /** A swing that grows is watched until it is so many times its start, for some cycles at least. */
-const seen = 4.5;
+const seen = 3;
+/** The axis reaches so far, measured by the start, unless the swing goes beyond. */
+const usualLimit = 3;
 const fewestCycles = 3;
 const samplesPerCycle = 40;
 const mostSamples = 1200;
@@ -29,7 +33,8 @@ export function smallSwing(linear, roots) {
   const duration = durations.find((one) => one >= wanted) ?? durations[durations.length - 1];
   const samples = Math.min(mostSamples, Math.max(200, Math.ceil(duration * beat * samplesPerCycle)));
   const { time, angle } = linear.smallSwing(duration, samples);
-  return { time, angle, growthRate, amplitude: amplitudeOf(time, angle, growthRate), duration };
+  const peak = angle.reduce((most, one) => Math.max(most, Math.abs(one)), 0);
+  return { time, angle, growthRate, amplitude: amplitudeOf(time, angle, growthRate), duration, limit: peak > usualLimit ? roundLimit(peak) : usualLimit };
 }
 
 /**
