@@ -4,6 +4,8 @@ import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { casesColumns, casesCsv, frequencyOf, growthOf, timeOf } from '../../www/lens/stability/cases.js';
 import { sorted } from '../../www/lens/stability/figures-table.js';
+import { fittingSpan, largest, wantedSpan } from '../../www/lens/stability/history-span.js';
+import { linearLooks } from '../../www/run/linear-looks.js';
 import { linearCases, linearHistories } from '../../www/run/linear-histories.js';
 import { drawLinearNonlinear, peaksOf } from '../../www/view/linear-nonlinear.js';
 import { voiceOf } from '../../www/words/voice.js';
@@ -102,7 +104,8 @@ test('theory is dashed and the gear in full solid; many cycles are drawn by thei
     const lines = (/** @type {string} */ color, /** @type {boolean} */ isDashed) =>
       named('lineTo').filter(({ style }) => style.strokeStyle === color && style.lineWidth === 1.6 && (style.dash.length > 0) === isDashed);
     const [solid, dashed] = [lines(theme.psi, false), lines(theme.ink, true)];
-    assert.ok(solid.length >= histories.nonlinear.time.length - 1);
+    assert.ok(isDense ? solid.length < 250 : solid.length >= histories.nonlinear.time.length - 1, `${solid.length}`);
+    assert.equal(named('fill').some(({ style }) => style.fillStyle === theme.psi && style.globalAlpha < 0.5), isDense, 'peaks have a tint between them');
     assert.ok(isDense ? dashed.length < 100 : dashed.length > 300, `${dashed.length}`);
     // ± the limit are some 150 px apart: nothing is drawn more than four limits away.
     assert.ok(dashed.every(({ args }) => Math.abs(args[1] - 135) < 600));
@@ -118,4 +121,24 @@ test('peaks are where a series turns back', () => {
   assert.equal(below.time.length, 4);
   assert.ok(above.value.every((value, i) => value > 0 && (i === 0 || value < above.value[i - 1])) && below.value.every((value) => value < 0));
   assert.ok(Math.abs(above.time[0] - Math.atan(2 * Math.PI) / (2 * Math.PI)) < 0.01);
+});
+
+test('the span fits: theory is seen to leave, a fall to its end, and nothing longer than the figures of the thesis', () => {
+  const looks = (/** @type {Record<string, number>} */ values, /** @type {Record<string, number>} */ initial) =>
+    linearLooks(engine, { model: 'torsional', parameters: { ...usual, ...values } }, () => initial);
+  const growing = looks({ velocity: 80, dampingConstant: 20 }, { torsionAngle: 0.05 });
+  const span = wantedSpan(growing, 'torsionAngle');
+  const histories = growing.histories(span, 4000);
+  assert.ok(histories);
+  const limit = 1.5 * largest(histories.nonlinear.torsionAngle);
+  const left = histories.linear.time[histories.linear.torsionAngle.findIndex((angle) => Math.abs(angle) > limit)] / span;
+  assert.ok(left > 0.5 && left < 0.8, `theory leaves after ${left} of ${span} s`);
+  assert.equal(fittingSpan(span), 0.3);
+  // theory: a fall of σ takes ln 20 / σ to a twentieth.
+  const [{ re }] = rootsOf({ velocity: 20, dampingConstant: 60 });
+  assert.ok(Math.abs(wantedSpan(looks({ velocity: 20, dampingConstant: 60 }, { torsionAngle: 0.01 }), 'torsionAngle') - Math.log(20) / -re) < 1e-6);
+  assert.equal(fittingSpan(wantedSpan(looks({ velocity: 20, dampingConstant: 10 }, { torsionAngle: 0.01 }), 'torsionAngle')), 2);
+  assert.equal(fittingSpan(0.12, 0.3), 0.3, 'it stays while it fits');
+  assert.equal(fittingSpan(0.05, 0.3), 0.1);
+  assert.equal(fittingSpan(0.31, 0.3), 0.5);
 });

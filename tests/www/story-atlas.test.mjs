@@ -115,8 +115,9 @@ test('each opens with the object, values and start of its figure, seen as the fi
     assert.deepEqual(parameters, { ...Object.fromEntries(usual.map((one) => [one.name, one.default])), ...entry.run.parameters }, name);
     assert.deepEqual(run, { initial: entry.run.initial }, name);
     assert.deepEqual(story, { name, step: 0 });
-    assert.equal(lens, 'phase');
-    const shown = { 'time-history': { timeline: entry.show?.[0] }, 'phase-2d': { phase: 'portrait' }, 'phase-3d': { phase: 'orbit' } }[entry.view];
+    assert.equal(lens, isLinear ? 'stability' : 'phase');
+    const history = { timeline: entry.show?.[0], ...(isLinear ? { stability: 'histories', histories: entry.show?.[0] } : {}) };
+    const shown = { 'time-history': history, 'phase-2d': { phase: 'portrait' }, 'phase-3d': { phase: 'orbit' } }[entry.view];
     assert.deepEqual(views, shown, name);
     assert.deepEqual(links, { relaxationLength: true, treadWidthMomentConstant: true }, name);
     const { from, to } = sessionOf(app).scene({ moment: [-0.08, 0.02], trackLength: 1.2, stretches: 60, exposure: 0, duration: app.duration }).run;

@@ -20,7 +20,12 @@ const known = ['model', 'parameters', 'initial', 'duration'];
  * @type {Readonly<Record<string, (entry: AtlasEntry) => Pick<Setting, 'lens' | 'views' | 'drawer'> | undefined>>}
  */
 const looks = {
-  'time-history': ({ show }) => ({ lens: 'phase', views: { timeline: show?.[0] ?? 'torsionAngle' } }),
+  'time-history': ({ show, run }) => {
+    const state = show?.[0] ?? 'torsionAngle';
+    // What linear theory says is seen beside the gear in full.
+    const isLinear = run?.model === 'torsional-linear';
+    return isLinear ? { lens: 'stability', views: linearViews(state) } : { lens: 'phase', views: { timeline: state } };
+  },
   'phase-2d': () => ({ lens: 'phase', views: { phase: 'portrait' } }),
   'phase-3d': () => ({ lens: 'phase', views: { phase: 'orbit' } }),
   'freeplay-law': () => ({ lens: 'forces', views: { forces: 'restoringMoment' } }),
@@ -28,6 +33,9 @@ const looks = {
   'stability-map': ({ map }) => ({ lens: 'stability', views: { stability: 'plane', plane: writePlane({ x: map?.x, y: map?.y, coloring: 'stable' }) } }),
   table: ({ id }) => tables[id.split(' ')[1]],
 };
+
+/** @param {string} state @returns {Record<string, string>} */
+const linearViews = (state) => ({ stability: 'histories', histories: state, timeline: state });
 
 /** How tables are looked at, by their numbers. @type {Readonly<Record<string, Pick<Setting, 'lens' | 'views' | 'drawer'>>>} */
 const tables = {

@@ -8,7 +8,7 @@ import { widthOfLabel } from './text.js';
 
 /**
  * A state over time, by linear theory (dashed) and in full (solid). Where there are so many cycles that dashes would fill the
- * picture, linear theory is drawn by the line along its peaks.
+ * picture, both are drawn by the line along their peaks, with a tint between those of the gear in full.
  *
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../words/voice.js').Voice} Voice
@@ -23,6 +23,8 @@ import { widthOfLabel } from './text.js';
 const mostCycles = 25;
 /** What is so many times beyond the axis is left out: dashes far outside would cost as much as those within. */
 const cut = 4;
+/** How strongly what lies between the peaks is filled. */
+const tint = 0.18;
 /** Above this the time is written in seconds, in s. */
 const longMoment = 0.5;
 
@@ -62,20 +64,44 @@ export function drawLinearNonlinear(context, size, { time, linear, nonlinear, st
   context.rect(frame.left, frame.top, width, height);
   context.clip();
   context.lineJoin = 'round';
-  inStyle(context, theme, inFull, () => strokeCurve(context, curveOf(time, nonlinear, x.at, y.at)));
   const end = Array.from(linear).findIndex((value) => Math.abs(value) > cut * limit);
   const seen = end < 0 ? linear : Array.from(linear).slice(0, end);
-  const peaks = peaksOf(time, seen);
-  inStyle(context, theme, byTheory, () => {
-    if (peaksOf(time, nonlinear).above.time.length <= mostCycles) strokeCurve(context, curveOf(time, seen, x.at, y.at));
-    else for (const { time: at, value } of [peaks.above, peaks.below]) strokeCurve(context, curveOf(at, value, x.at, y.at));
-  });
+  const happens = peaksOf(time, nonlinear);
+  if (happens.above.time.length <= mostCycles) {
+    inStyle(context, theme, inFull, () => strokeCurve(context, curveOf(time, nonlinear, x.at, y.at)));
+    inStyle(context, theme, byTheory, () => strokeCurve(context, curveOf(time, seen, x.at, y.at)));
+  } else {
+    const along = (/** @type {ReturnType<typeof peaksOf>} */ { above, below }) => {
+      for (const { time: at, value } of [above, below]) strokeCurve(context, curveOf(at, value, x.at, y.at));
+    };
+    tintBetween(context, happens, x.at, y.at, theme[quantity.color]);
+    inStyle(context, theme, inFull, () => along(happens));
+    inStyle(context, theme, byTheory, () => along(peaksOf(time, seen)));
+  }
   context.restore();
   writeCornerReading(context, readings, { ...frame, top: whole.top }, width - widthOfLabel(context, y.name(false), theme, 600) - theme.size, theme);
 }
 
 /**
- * Where a series turns back, above and below, from its first value to its last.
+ * @param {CanvasRenderingContext2D} context
+ * @param {ReturnType<typeof peaksOf>} peaks
+ * @param {(time: number) => number} x @param {(value: number) => number} y
+ * @param {string} color
+ */
+function tintBetween(context, { above, below }, x, y, color) {
+  context.beginPath();
+  above.time.forEach((time, i) => context.lineTo(x(time), y(above.value[i])));
+  for (let i = below.time.length - 1; i >= 0; i--) context.lineTo(x(below.time[i]), y(below.value[i]));
+  context.closePath();
+  context.save();
+  context.globalAlpha *= tint;
+  context.fillStyle = color;
+  context.fill();
+  context.restore();
+}
+
+/**
+ * Where a series turns back, above and below; what it starts from counts, its last value does not.
  * @param {Series} time
  * @param {Series} values
  */
@@ -84,7 +110,7 @@ export function peaksOf(time, values) {
   /** @type {{ time: number[], value: number[] }[]} */
   const [above, below] = [1, -1].map((sign) => {
     const at = [];
-    for (let i = 1; i < last; i++) if (sign * values[i] >= sign * values[i - 1] && sign * values[i] > sign * values[i + 1] && sign * values[i] > 0) at.push(i);
+    for (let i = 0; i < last; i++) if ((i === 0 || sign * values[i] >= sign * values[i - 1]) && sign * values[i] > sign * values[i + 1] && sign * values[i] > 0) at.push(i);
     return { time: at.map((i) => time[i]), value: at.map((i) => values[i]) };
   });
   return { above, below };

@@ -7,6 +7,7 @@ import { roundLimit } from '../../view/scale.js';
 import { decimalsOf } from '../../words/number.js';
 import { casesColumns, casesCsv } from './cases.js';
 import { figuresTable, sorted } from './figures-table.js';
+import { fittingSpan, headroom, largest, wantedSpan } from './history-span.js';
 import { Panel } from './panel.js';
 import { becomesInTheory, doubling } from './say.js';
 import { historiesOf, historySpans, historyStates, writeHistories } from './settings.js';
@@ -20,8 +21,8 @@ import { historiesOf, historySpans, historyStates, writeHistories } from './sett
 
 /** Samples of 2 s show a swing of some 50 Hz well. */
 const samplesPerSecond = 2000;
-/** The axis reaches so far beyond what happens in full; linear theory may leave it. */
-const headroom = 1.5;
+/** An axis stays while what is on it reaches this share of it. */
+const filled = 0.25;
 
 /**
  * Linear theory and the gear in full, from one start, on one plot; and what linear theory says of the thesis' cases. Commands:
@@ -34,6 +35,8 @@ export class LinearAndNonlinear extends Panel {
   /** @type {import('./panel.js').LinearLooks | null} */ #roots = null;
   /** The axis holds while a slider moves. @type {{ scales: object | null, state: string, limit: number }} */ #axis = { scales: null, state: '', limit: 1 };
 
+  /** Of the histories shown, in s. */ #span = 0;
+
   constructor() {
     super();
     /** What came of a wish to take the table along. */ this.said = '';
@@ -45,22 +48,24 @@ export class LinearAndNonlinear extends Panel {
 
   /** @param {Voice} voice @param {Scene} scene */
   content(voice, scene) {
-    const { state, duration } = this.#shown;
+    const { state, duration: chosen } = this.#shown;
+    const duration = this.#span = chosen ?? this.ask((linear) => fittingSpan(wantedSpan(linear, state), this.#span)) ?? historySpans[0];
     this.#histories = this.ask((linear) => linear.histories(duration, Math.max(400, Math.round(duration * samplesPerSecond))));
     this.#roots = scene.linear;
     if (this.#histories) this.#hold(this.#histories, state, scene.scales);
     const cases = this.ask((linear) => linear.cases()) ?? [];
-    const choose = (/** @type {string} */ name, /** @type {number} */ span) => tell(this, 'view', { of: 'histories', shows: writeHistories({ state: name, duration: span }) });
+    const choose = (/** @type {string} */ name, /** @type {number | null} */ span) => tell(this, 'view', { of: 'histories', shows: writeHistories({ state: name, duration: span }) });
     const columns = casesColumns(voice, (one) => this.#set(one));
     const sorting = this.settings.casesSort ?? '';
     return html`
       <div class="panel-scroll histories" tabindex="0" role="group" aria-label=${voice.say('stability.view.histories')}>
         <div class="plane-choices">
-          <select class="framed" aria-label=${voice.say('histories.state')} .value=${state} @change=${(/** @type {Event} */ event) => choose(/** @type {HTMLSelectElement} */ (event.target).value, duration)}>
+          <select class="framed" aria-label=${voice.say('histories.state')} .value=${state} @change=${(/** @type {Event} */ event) => choose(/** @type {HTMLSelectElement} */ (event.target).value, chosen)}>
             ${historyStates.map((name) => html`<option value=${name} ?selected=${name === state}>${name === 'torsionAngle' ? 'ψ' : 'y'} ${voice.say(`state.${name}`)}</option>`)}
           </select>
-          <select class="framed" aria-label=${voice.say('histories.span')} .value=${String(duration)} @change=${(/** @type {Event} */ event) => choose(state, Number(/** @type {HTMLSelectElement} */ (event.target).value))}>
-            ${historySpans.map((span) => html`<option value=${String(span)} ?selected=${span === duration}>${voice.say('histories.seconds', { duration: voice.number(span, decimalsOf(span, 0)) })}</option>`)}
+          <select class="framed" aria-label=${voice.say('histories.span')} .value=${chosen === null ? '' : String(chosen)} @change=${(/** @type {Event} */ event) => { const { value } = /** @type {HTMLSelectElement} */ (event.target); choose(state, value === '' ? null : Number(value)); }}>
+            <option value="" ?selected=${chosen === null}>${voice.say('histories.fits', { duration: voice.number(duration, decimalsOf(duration, 0)) })}</option>
+            ${historySpans.map((span) => html`<option value=${String(span)} ?selected=${span === chosen}>${voice.say('histories.seconds', { duration: voice.number(span, decimalsOf(span, 0)) })}</option>`)}
           </select>
           <span class="theory">${this.#histories ? voice.say('histories.start', { start: this.#start(voice) }) : ''}</span>
         </div>
@@ -80,7 +85,8 @@ export class LinearAndNonlinear extends Panel {
   #hold({ linear, nonlinear }, state, scales) {
     const [full, theory] = [largest(nonlinear[state]), largest(linear[state])];
     const wanted = Math.max(full, Math.min(theory, headroom * full));
-    if (this.#axis.scales === scales && this.#axis.state === state && full <= this.#axis.limit) return;
+    const { limit } = this.#axis;
+    if (this.#axis.scales === scales && this.#axis.state === state && full <= limit && wanted >= filled * limit) return;
     this.#axis = { scales, state, limit: roundLimit(wanted || 1e-3) };
   }
 
@@ -96,14 +102,15 @@ export class LinearAndNonlinear extends Panel {
     const roots = this.ask((linear) => linear.eigenvalues()) ?? [];
     if (roots.length === 0) return [voice.say('stability.none')];
     const what = becomesInTheory(roots, isGapped, voice);
-    return [`${what} · ${doubling(roots[0].re, voice)}`, what];
+    const times = doubling(roots[0].re, voice);
+    return [`${what} · ${times}`, what, isGapped ? voice.say('stability.linear', { what: times }) : times];
   }
 
   /** @param {Voice} voice */
   #label(voice) {
-    const { state, duration } = this.#shown;
+    const { state } = this.#shown;
     return voice.say('histories.name', {
-      state: voice.say(`state.${state}`), duration: voice.number(duration, decimalsOf(duration, 0)), start: this.#start(voice), reading: this.#readings(voice)[0],
+      state: voice.say(`state.${state}`), duration: voice.number(this.#span, decimalsOf(this.#span, 0)), start: this.#start(voice), reading: this.#readings(voice)[0],
     });
   }
 
@@ -111,10 +118,10 @@ export class LinearAndNonlinear extends Panel {
   #paint = (context, size) => {
     const { voice, theme } = this;
     const histories = this.#histories;
-    const { state, duration } = this.#shown;
+    const { state } = this.#shown;
     if (!voice || !theme || !histories) return;
     drawLinearNonlinear(context, size, {
-      time: histories.linear.time, linear: histories.linear[state], nonlinear: histories.nonlinear[state], state, duration, limit: this.#axis.limit, readings: this.#readings(voice),
+      time: histories.linear.time, linear: histories.linear[state], nonlinear: histories.nonlinear[state], state, duration: this.#span, limit: this.#axis.limit, readings: this.#readings(voice),
     }, theme, voice);
   };
 
@@ -144,8 +151,5 @@ export class LinearAndNonlinear extends Panel {
     this.said = outcome === 'cancelled' ? '' : voice.say(`out.${outcome}`, { file: name });
   }
 }
-
-/** @param {Float64Array} values */
-const largest = (values) => values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 
 customElements.define('shimmy-histories', LinearAndNonlinear);

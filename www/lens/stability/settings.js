@@ -5,7 +5,7 @@
  *     view.plane=velocity:0.5:100,dampingConstant:0:100,growthRate     to the right, upward, color
  *     view.locus=velocity:0.5:100,casterLength:0:0.5:6                 what is swept, and six values of another
  *     view.mode=pair-1                                                 which mode
- *     view.histories=torsionAngle,2                                    which state, over how many seconds
+ *     view.histories=torsionAngle,2                                    which state, over how many seconds; without them as fits
  *     view.beside=…                                                    see beside-settings.js
  *     view.besideSort=share,down                                       by which column its table is sorted; view.casesSort likewise
  *
@@ -116,19 +116,18 @@ export const isMode = (text) => /^(pair|real)-[1-9]$/.test(text);
 /** Whether a table can be sorted so: by a column, or not. @param {string} text */
 export const isSorting = (text) => text === 'none' || /^[A-Za-z]{1,40},(up|down)$/.test(text);
 
-/** What histories can show, and for how long, in s; the usual span is that of the thesis' figures. */
+/** What histories can show, and for how long, in s; where no span is said it is chosen so that one sees what happens. */
 export const historyStates = /** @type {const} */ (['torsionAngle', 'lateralDeformation']);
-export const historySpans = [0.1, 0.2, 0.5, 1, 2, 5];
-const usualSpan = 2;
+export const historySpans = [0.1, 0.2, 0.3, 0.5, 1, 2, 5];
 
-/** The histories that a setting names; the usual ones where it names none. @param {string} text */
+/** The histories that a setting names; the usual ones where it names none. `duration`: null for one that fits. @param {string} text */
 export function historiesOf(text) {
   const [name, span] = text.split(',');
-  return { state: historyStates.find((one) => one === name) ?? historyStates[0], duration: historySpans.find((one) => String(one) === span) ?? usualSpan };
+  return { state: historyStates.find((one) => one === name) ?? historyStates[0], duration: historySpans.find((one) => String(one) === span) ?? null };
 }
 
-/** @param {{ state: string, duration: number }} histories */
-export const writeHistories = ({ state, duration }) => `${state},${duration}`;
+/** @param {{ state: string, duration: number | null }} histories */
+export const writeHistories = ({ state, duration }) => (duration === null ? state : `${state},${duration}`);
 
 /** @param {string} text */
 export const isHistories = (text) => writeHistories(historiesOf(text)) === text;

@@ -84,6 +84,7 @@ export const linear = {
   'histories.state': 'What is shown',
   'histories.span': 'How long',
   'histories.seconds': '{duration} s',
+  'histories.fits': '{duration} s, to fit',
   'histories.linear': 'linear',
   'histories.nonlinear': 'nonlinear',
   'histories.foreign': 'Of this object linear theory has no model of its own.',

@@ -84,6 +84,7 @@ export const linear = {
   'histories.state': 'Ne gösteriliyor',
   'histories.span': 'Ne kadar süre',
   'histories.seconds': '{duration} s',
+  'histories.fits': '{duration} s, sığacak kadar',
   'histories.linear': 'doğrusal',
   'histories.nonlinear': 'doğrusal olmayan',
   'histories.foreign': 'Doğrusal kuramın bu nesne için kendi modeli yok.',
