@@ -392,6 +392,23 @@ test('a drag undone leaves nothing on record, and comes back whole', () => {
   assert.ok(Math.abs(session.time - 0.6) < 1e-9);
 });
 
+test('a run begun again is taken back by undo to where it was, with all that had been done to it', () => {
+  const { store, session } = opened();
+  session.advance(0.1);
+  session.set('dampingConstant', 60, null);
+  session.advance(0.1);
+  const before = [...session.scene(wanted).state];
+  session.restart();
+  assert.equal(session.time, 0);
+  assert.equal(session.recipe.changes.length, 0);
+  store.undo();
+  assert.ok(Math.abs(session.time - 0.2) < 1e-12 && isClose(session.scene(wanted).state, before, 1e-6));
+  assert.deepEqual(session.recipe.changes.map(({ set }) => set), [{ dampingConstant: 60 }]);
+  store.redo();
+  assert.equal(session.time, 0);
+  assert.equal(store.state.parameters.dampingConstant, 60);
+});
+
 test('the ground behind comes back with the run', () => {
   const { store, session } = opened();
   session.advance(0.5);
@@ -565,6 +582,7 @@ test('a ghost goes on as it was, beside the run that is changed', () => {
   Array.from(session.scene(wanted).ghosts[0].state).forEach((value, i) => assert.ok(Math.abs(value - alone.scene(wanted).state[i]) < 1e-5 * Math.max(1, Math.abs(value))));
   session.restart();
   assert.equal(session.scene(wanted).ghosts[0].state[0], 0.05, 'from the same start');
+  store.undo();
   store.undo();
   assert.equal(store.state.parameters.dampingConstant, 20);
   store.undo();

@@ -111,9 +111,10 @@ export class Session {
     return this.#lookout.isStale;
   }
 
-  /** The run from its start, with the values as they are; ghosts with theirs, from the same start. */
+  /** The run from its start, with the values as they are; ghosts with theirs, from the same start. Undo takes it back to where it was. */
   restart() {
     const { object, parameters, run, ghosts } = this.#store.state;
+    this.#store.did(this.#place);
     this.#begin({ object, parameters, initial: run.initial, changes: [], time: 0 });
     this.#store.follow({ ghosts: ghosts.map((ghost) => ({ ...ghost, initial: run.initial, from: 0 })) });
   }
