@@ -83,7 +83,7 @@ export class Page extends LitElement {
     const telling = this.#teller.tell(app);
     return html`
       <shimmy-header role="banner" .voice=${voice} .theme=${theme} .object=${object} .stories=${app.stories} .canComeBack=${app.left !== null}
-        .canUndo=${store.canUndo} .canRedo=${store.canRedo} .isReady=${session !== null} .views=${viewsOf(app.state).map(({ name, title }) => ({ name, title: title(voice), hasLines: true }))}
+        .canUndo=${store.canUndo} .canRedo=${store.canRedo} .isReady=${session !== null} .views=${viewsOf(app.state).map(({ name, element, title }) => ({ name, element, title: title(voice), hasLines: true }))}
         .isVeiled=${isVeiled} .link=${this.address} .said=${this.said}
         .isPredicting=${predict !== null} .isDrawing=${app.isDrawing} .isPinned=${app.ink.isPinned}></shimmy-header>
       <main>

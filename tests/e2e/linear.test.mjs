@@ -147,6 +147,30 @@ test('planes side by side leave as a picture with their shares', async () => {
   await leave();
 });
 
+test('the sheet offers the pictures that are on the screen, and what came of the last wish does not stand there again', async () => {
+  for (const [view, wanted, options] of /** @type {const} */ ([
+    ['modes', ['Modes'], {}], ['routh', [], {}], ['beside', ['Stability planes side by side'], {}], ['histories', ['Linear, nonlinear'], {}],
+    ['plane', ['Stability plane'], { viewport: { width: 1024, height: 768 } }],
+  ])) {
+    const { page, leave } = await site.open(start + view, { ...options, reducedMotion: 'reduce', acceptDownloads: true });
+    await page.locator('.stability').waitFor();
+    await page.locator('.out summary').click();
+    const offered = page.locator('.out-picture > span');
+    await page.waitForFunction((count) => document.querySelectorAll('.out-picture').length === count, wanted.length + 2);
+    assert.deepEqual((await offered.allInnerTexts()).slice(2), wanted, view);
+    if (view === 'modes') {
+      for (const format of ['PNG', 'SVG']) {
+        const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: `Modes as ${format}` }).click()]);
+        await page.locator('.out-said', { hasText: file.suggestedFilename() }).waitFor();
+      }
+      await page.keyboard.press('Escape');
+      await page.locator('.out summary').click();
+      await page.waitForFunction(() => document.querySelector('.out-said')?.textContent === '');
+    }
+    await leave();
+  }
+});
+
 test('what is to be guessed is hidden in every view, from readers too', async () => {
   for (const view of ['modes', 'routh', 'beside', 'histories']) {
     const { page, leave } = await opened(`${view}&predict=1`, { reducedMotion: 'reduce' });

@@ -4,7 +4,8 @@ import { tell } from '../command.js';
 /**
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {import('../words/voice.js').Key} Key
- * @typedef {{ name: string, title: string, hasLines: boolean }} View `hasLines`: it can be had as SVG, too
+ * @typedef {{ name: string, title: string, element: string, hasLines: boolean }} View `element`: its canvas, a selector;
+ *   `hasLines`: it can be had as SVG, too
  * @typedef {{ what: 'link' | import('./file-of.js').Format, view: string }} Wish
  */
 
@@ -22,6 +23,7 @@ export class OutSheet extends LitElement {
     hasPython: { attribute: false },
     isReady: { attribute: false },
     said: { attribute: false },
+    isSaidBefore: { state: true },
   };
 
   constructor() {
@@ -32,6 +34,8 @@ export class OutSheet extends LitElement {
     this.hasPython = true;
     this.isReady = false;
     this.said = '';
+    /** Whether what came of a wish was told before the sheet was opened: it stands no longer. */
+    this.isSaidBefore = false;
   }
 
   createRenderRoot() {
@@ -48,12 +52,18 @@ export class OutSheet extends LitElement {
     super.disconnectedCallback();
   }
 
+  /** @param {Map<string, unknown>} changed */
+  willUpdate(changed) {
+    if (changed.has('said')) this.isSaidBefore = false;
+  }
+
   render() {
     const { voice } = this;
     if (!voice) return html``;
+    const views = this.views.filter(({ element }) => document.querySelector(element)?.checkVisibility());
     const formats = runFormats.filter((format) => format !== 'python' || this.hasPython);
     return html`
-      <details class="out" @keydown=${this.#key} @toggle=${this.#turned}>
+      <details class="out" @keydown=${this.#key} @toggle=${this.#opened}>
         <summary class="framed">
           <svg viewBox="0 0 20 20" width="18" height="18" aria-hidden="true"><path d="M10 12.5v-10M6.5 5.5 10 2l3.5 3.5M6 9H4v8.5h12V9h-2"/></svg>
           <span>${voice.say('out.title')}</span>
@@ -75,33 +85,40 @@ export class OutSheet extends LitElement {
                 <b>${voice.say(`out.${format}`)}</b> <span>${voice.say(`out.${format}.does`)}</span>
               </button></li>`)}</ul>
           </section>
-          ${this.views.length > 0 ? this.#pictures(voice) : ''}
+          ${views.length > 0 ? this.#pictures(views, voice) : ''}
           <section>
             <label class="framed out-open" title=${voice.say('out.open.does')}>
               ${voice.say('out.open')}
               <input type="file" class="only-heard" accept=".json,application/json" ?disabled=${!this.isReady} @change=${this.#open} />
             </label>
           </section>
-          <p class="out-said" role="status">${this.said}</p>
+          <p class="out-said" role="status">${this.isSaidBefore ? '' : this.said}</p>
         </div>
       </details>`;
   }
 
-  /** @param {Voice} voice */
-  #pictures(voice) {
+  /** @param {View[]} views that are on the screen @param {Voice} voice */
+  #pictures(views, voice) {
     const button = (/** @type {View} */ { name, title }, /** @type {'png' | 'svg'} */ format) => html`
       <button type="button" class="framed" ?disabled=${!this.isReady} @click=${() => this.#wish(format, name)}
         aria-label=${voice.say('out.picture.as', { view: title, format: voice.say(`out.${format}`) })}>${voice.say(`out.${format}`)}</button>`;
     return html`
       <section>
         <h2>${voice.say('out.pictures')}</h2>
-        <ul>${this.views.map((view) => html`
+        <ul>${views.map((view) => html`
           <li class="out-picture"><span>${view.title}</span> ${button(view, 'png')} ${view.hasLines ? button(view, 'svg') : ''}</li>`)}</ul>
       </section>`;
   }
 
   get #details() {
     return this.querySelector('details');
+  }
+
+  /** What is on the screen is known when the sheet is opened. @param {Event} event */
+  #opened(event) {
+    if (!(/** @type {HTMLDetailsElement} */ (event.target).open)) return;
+    this.isSaidBefore = true;
+    this.requestUpdate();
   }
 
   /** @param {Wish['what']} what @param {string} [view] */
@@ -118,11 +135,6 @@ export class OutSheet extends LitElement {
     // The same file may be chosen again.
     input.value = '';
     tell(this, 'openFile', { name: file.name, text });
-  }
-
-  /** What was said of an earlier wish is no word on the next. */
-  #turned() {
-    if (this.#details?.open) this.said = '';
   }
 
   /** A press elsewhere closes the sheet. @param {PointerEvent} event */
