@@ -3,7 +3,7 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { measured } from '../../www/controls/mathml.js';
-import { conditionsOf, signChanges } from '../../www/lens/stability/routh-hurwitz.js';
+import { conditionsOf, digitsApart, signChanges } from '../../www/lens/stability/routh-hurwitz.js';
 import { linearLooks } from '../../www/run/linear-looks.js';
 import { voiceOf } from '../../www/words/voice.js';
 import { criticalSpeeds, cubicOf, rootsOf, usual } from './linear-gear.mjs';
@@ -20,6 +20,24 @@ test('the conditions have the numbers of the cubic, and break just beyond the kn
   assert.deepEqual([first.value, first.bound, second.value, second.bound, third.value, third.bound], [a2, 0, a0, 0, a2 * a1, a0]);
   assert.deepEqual([third.terms, third.than], [[2, 1], 0]);
   assert.deepEqual(conditionsOf([1, 2, 3]), [], 'written so for a third degree alone');
+});
+
+test('at a critical value in full the gear is on the boundary; a little beyond, digits enough tell the difference', () => {
+  for (const [dampingConstant, near] of criticalSpeeds) {
+    const at = (/** @type {Record<string, number>} */ values) => linearLooks(engine, { model: 'torsional', parameters: { ...usual, dampingConstant, ...values } });
+    const [velocity] = at({}).routhHurwitz().criticalVelocities;
+    assert.ok(Math.abs(velocity - near) < 5e-4);
+    const { neutralRoots, unstableRoots, coefficients } = at({ velocity }).routhArray();
+    assert.deepEqual([neutralRoots, unstableRoots], [2, 0]);
+    assert.deepEqual(conditionsOf(coefficients).map(({ isEqual }) => isEqual), [false, false, true]);
+    const beyond = conditionsOf(at({ velocity: velocity * (1 + 1e-6) }).routhArray().coefficients)[2];
+    assert.ok(!beyond.isEqual && !beyond.isMet);
+    const digits = digitsApart(beyond.value, beyond.bound);
+    assert.notEqual(beyond.value.toPrecision(digits), beyond.bound.toPrecision(digits));
+  }
+  assert.equal(digitsApart(2, 1), 5);
+  assert.equal(digitsApart(1, 1), 5);
+  assert.equal(digitsApart(0, 0), 5);
 });
 
 test('each change of sign is a root that grows', () => {

@@ -5,7 +5,7 @@ import { symbolOf } from '../../controls/symbol.js';
 import { withUnit } from '../../controls/quantity.js';
 import { decimalsFor } from '../../words/number.js';
 import { Panel } from './panel.js';
-import { conditionsOf, signChanges } from './routh-hurwitz.js';
+import { conditionsOf, digitsApart, signChanges } from './routh-hurwitz.js';
 
 /**
  * @typedef {import('../../controls/mathml.js').Math} Math
@@ -13,7 +13,7 @@ import { conditionsOf, signChanges } from './routh-hurwitz.js';
  * @typedef {import('../../words/voice.js').Voice} Voice
  */
 
-/** Digits of a critical value, as shown and as set. */
+/** Digits of a critical value as shown; it is set in full, so that the gear is on the boundary. */
 const digits = 5;
 
 /**
@@ -31,11 +31,7 @@ export class Routh extends Panel {
         ${table(array, voice)}
         <ul class="routh-formulas" aria-label=${voice.say('routh.conditions')}>
           <li>${typeset(polynomial(array.coefficients, voice))}</li>
-          ${conditionsOf(array.coefficients).map(({ terms, than, value, bound, isMet }) => html`
-            <li class=${isMet ? 'met' : 'broken'}>
-              ${typeset(mathml`${compared(product(...terms.map(coefficient)), '>', than === null ? number('0') : coefficient(than))}<mspace width="0.6em"></mspace><mo>:</mo><mspace width="0.6em"></mspace>${compared(measured(value, voice), isMet ? '>' : value === bound ? '=' : '<', measured(bound, voice))}`)}
-              <span class="mark">${voice.say(isMet ? 'routh.met' : 'routh.broken')}</span>
-            </li>`)}
+          ${conditionsOf(array.coefficients).map((one) => condition(one, voice))}
         </ul>
         ${this.#criticals(voice)}
       </div>`;
@@ -67,7 +63,7 @@ export class Routh extends Panel {
           const text = withUnit(voice.number(shown, decimalsFor(shown, digits)), quantity.unit);
           const does = voice.say('routh.set', { symbol: quantity.parameter.symbol.replace('_', ''), value: text });
           return html`<button type="button" class="framed" title=${does} aria-label=${does}
-            @click=${() => this.#set(quantity.name, quantity.toSI(Number(shown.toPrecision(digits))))}>${symbolOf(quantity.parameter.symbol)} = ${text}</button>`;
+            @click=${() => this.#set(quantity.name, exact)}>${symbolOf(quantity.parameter.symbol)} = ${text}</button>`;
         })}</dd>`)}
       </dl>`;
   }
@@ -77,6 +73,19 @@ export class Routh extends Panel {
     tell(this, 'point', { values: { [name]: value }, gesture: null });
     tell(this, 'settle');
   }
+}
+
+/** @param {import('./routh-hurwitz.js').Condition} condition @param {Voice} voice */
+function condition({ terms, than, value, bound, isMet, isEqual }, voice) {
+  const outcome = isEqual ? 'equal' : isMet ? 'met' : 'broken';
+  const places = digitsApart(value, bound);
+  const wanted = compared(product(...terms.map(coefficient)), '>', than === null ? number('0') : coefficient(than));
+  const found = compared(measured(value, voice, places), isEqual ? '=' : isMet ? '>' : '<', measured(bound, voice, places));
+  return html`
+    <li class=${outcome}>
+      ${typeset(mathml`${wanted}<mspace width="0.6em"></mspace><mo>:</mo><mspace width="0.6em"></mspace>${found}`)}
+      <span class="mark">${voice.say(`routh.${outcome}`)}</span>
+    </li>`;
 }
 
 /** @param {RouthArray} array @param {Voice} voice */

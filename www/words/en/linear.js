@@ -15,6 +15,7 @@ export const linear = {
   'routh.conditions': 'Characteristic polynomial and conditions',
   'routh.met': '✓ met',
   'routh.broken': '✗ broken',
+  'routh.equal': '= on the boundary',
   'routh.speeds': 'Critical speeds',
   'routh.damping': 'Critical damping',
   'routh.none': 'none',

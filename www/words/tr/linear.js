@@ -15,6 +15,7 @@ export const linear = {
   'routh.conditions': 'Karakteristik polinom ve koşullar',
   'routh.met': '✓ sağlanıyor',
   'routh.broken': '✗ bozuluyor',
+  'routh.equal': '= sınırda',
   'routh.speeds': 'Kritik hızlar',
   'routh.damping': 'Kritik sönüm',
   'routh.none': 'yok',
