@@ -163,8 +163,10 @@ test('the same in words, for who cannot see the track', () => {
   assert.equal(scent('torsionalStiffness', gear(opening)).inWords, 'shimmies everywhere here');
   assert.equal(scent('dampingConstant', gear(opening), { language: 'tr' }).inWords, '48,6 N m s/rad üstünde sönüyor');
   // A soft spring, and a wheel that may lead far: aside at one end, shimmy in the middle.
-  const { inWords, marks } = scent('casterLength', gear({ torsionalStiffness: 30000, dampingConstant: 5 }));
+  const { inWords, marks, captions } = scent('casterLength', gear({ torsionalStiffness: 30000, dampingConstant: 5 }));
   assert.equal(marks.length, 3);
+  // With so many numbers the caption says which one it is of.
+  assert.deepEqual([captions.above, captions.below], [[`dies out above ${marks[2].number}`], [`turns aside below ${marks[0].number}`]]);
   assert.equal(inWords, `turns aside below ${marks[0].number} m; shimmies between ${marks[1].number} m and ${marks[2].number} m`);
 });
 

@@ -31,7 +31,7 @@ export function scentOf(unstable, quantity, voice) {
   return {
     hatches: intervals.map(({ from, to }) => ({ from: quantity.placeOf(from), to: quantity.placeOf(to) })),
     marks: boundaries.map(({ value }, i) => ({ place: quantity.placeOf(value), number: quantity.number(safe[i], voice) })),
-    captions: captionsOf(intervals, boundaries, phrases),
+    captions: captionsOf(intervals, boundaries, safe.map((value) => quantity.number(value, voice)), phrases),
     inWords: inWords(intervals, boundaries, safe.map((value) => quantity.write(value, voice)), phrases),
   };
 }
@@ -70,18 +70,21 @@ function isPair(boundaries) {
 /**
  * @param {readonly UnstableInterval[]} intervals
  * @param {readonly Boundary[]} boundaries
+ * @param {readonly string[]} numbers of the boundaries
  * @param {ReturnType<typeof phrasesOf>} phrases
  * @returns {Captions}
  */
-function captionsOf(intervals, boundaries, { voice, state, wordings }) {
+function captionsOf(intervals, boundaries, numbers, { voice, state, wordings }) {
   const [first, last] = [boundaries.at(0), boundaries.at(-1)];
   if (!first || !last) {
     const all = intervals.length > 0 ? wordings(voice.say('scent.all', { state: state(false, 'range') })) : [];
     return { above: [], below: [], between: [], all };
   }
+  // Of one boundary or a pair it is plain which is meant.
+  const isMany = boundaries.length > 2;
   return {
-    above: wordings(voice.say('scent.above', { state: state(last.isStableAbove, last.kind) })),
-    below: wordings(voice.say('scent.below', { state: state(!first.isStableAbove, first.kind) })),
+    above: wordings(voice.say(isMany ? 'scent.said.above' : 'scent.above', { state: state(last.isStableAbove, last.kind), value: numbers[numbers.length - 1] })),
+    below: wordings(voice.say(isMany ? 'scent.said.below' : 'scent.below', { state: state(!first.isStableAbove, first.kind), value: numbers[0] })),
     between: isPair(boundaries) ? wordings(voice.say('scent.between', { state: state(first.isStableAbove, first.kind) })) : [],
     all: [],
   };

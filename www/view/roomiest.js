@@ -6,7 +6,7 @@
  */
 
 /** How finely room is looked for, in parts of a word's height. */
-const fineness = 2;
+const fineness = 3;
 
 /**
  * Where each region has the most room for its word; regions without room for theirs have no place.
@@ -24,7 +24,7 @@ export function roomiest({ left, right, top, bottom }, regionAt, words) {
     const columns = Math.floor((right - left) / cellWidth);
     const rows = Math.floor((bottom - top) / cellHeight);
     let before = new Uint16Array(columns + 1);
-    let best = fineness;
+    let best = fineness - 1;
     for (let row = 0; row < rows; row++) {
       const sides = new Uint16Array(columns + 1);
       for (let column = 0; column < columns; column++) {

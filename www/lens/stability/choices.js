@@ -17,8 +17,9 @@ import { lowerName, plainSymbol } from './say.js';
  * @param {Plane} plane
  * @param {readonly Quantity[]} quantities
  * @param {Voice} voice
+ * @param {{ isOpen: boolean, toggle: () => void }} fold where there is little room all but the ready ones is folded away
  */
-export function planeChoices(host, plane, quantities, voice) {
+export function planeChoices(host, plane, quantities, voice, { isOpen, toggle }) {
   const choose = (/** @type {Partial<Plane>} */ change) => tell(host, 'view', { of: 'plane', shows: writePlane({ ...plane, ...change }) });
   const byName = (/** @type {string} */ name) => quantities.find((one) => one.name === name);
   const ranged = (/** @type {Quantity} */ quantity) => rangeOf(quantity.parameter);
@@ -29,12 +30,12 @@ export function planeChoices(host, plane, quantities, voice) {
     choose(plane[/** @type {'x' | 'y'} */ (other)].parameter === name ? { x: plane.y, y: plane.x } : { [side]: ranged(quantity) });
   };
   const side = (/** @type {'x' | 'y'} */ which, /** @type {'stability.across' | 'stability.up'} */ word) => html`
-    <select class="framed" aria-label=${voice.say(word)} title=${voice.say(word)} .value=${plane[which].parameter}
+    <select class="framed folded" aria-label=${voice.say(word)} title=${voice.say(word)} .value=${plane[which].parameter}
       @change=${(/** @type {Event} */ event) => put(which, /** @type {HTMLSelectElement} */ (event.target).value)}>
       ${quantities.map((quantity) => html`<option value=${quantity.name} ?selected=${quantity.name === plane[which].parameter}>${plainSymbol(quantity)} ${nameOf(quantity, voice)}</option>`)}
     </select>`;
   return html`
-    <div class="plane-choices">
+    <div class=${isOpen ? 'plane-choices folding is-open' : 'plane-choices folding'}>
       ${readyPlanes.map(({ x, y }) => {
         const [across, up] = [byName(x), byName(y)];
         if (!across || !up) return '';
@@ -43,11 +44,13 @@ export function planeChoices(host, plane, quantities, voice) {
         return html`<button type="button" class="framed ready" aria-label=${does} title=${does} aria-pressed=${plane.x.parameter === x && plane.y.parameter === y ? 'true' : 'false'}
           @click=${() => choose({ x: ranged(across), y: ranged(up) })}>${short}</button>`;
       })}
+      <button type="button" class="framed icon fold" aria-label=${voice.say('stability.fold')} title=${voice.say('stability.fold')} aria-expanded=${isOpen ? 'true' : 'false'}
+        @click=${toggle}>⋯</button>
       ${side('y', 'stability.up')}
-      <button type="button" class="framed icon swap" aria-label=${voice.say('stability.swap')} title=${voice.say('stability.swap')}
+      <button type="button" class="framed icon swap folded" aria-label=${voice.say('stability.swap')} title=${voice.say('stability.swap')}
         @click=${() => choose({ x: plane.y, y: plane.x })}>⇄</button>
       ${side('x', 'stability.across')}
-      <select class="framed" aria-label=${voice.say('stability.color')} title=${voice.say('stability.color')} .value=${plane.coloring}
+      <select class="framed folded" aria-label=${voice.say('stability.color')} title=${voice.say('stability.color')} .value=${plane.coloring}
         @change=${(/** @type {Event} */ event) => choose({ coloring: /** @type {Plane['coloring']} */ (/** @type {HTMLSelectElement} */ (event.target).value) })}>
         ${colorings.map((coloring) => html`<option value=${coloring} ?selected=${coloring === plane.coloring}>${voice.say(`stability.color.${coloring}`)}</option>`)}
       </select>

@@ -22,6 +22,7 @@ export class PlaneView {
   #roots;
   #map = new PlaneMap();
   /** How much of the plane is stable, in per cent. @type {number | null} */ #share = null;
+  /** Whether its choices are unfolded. */ #isOpen = false;
   /** The map that waits to be refined, for how many frames more, and the frame asked for. */
   #waiting = { map: /** @type {unknown} */ (null), frames: 0, frame: 0 };
   /** @type {{ text: string, quantities: unknown, plane: import('./settings.js').Plane } | null} */ #read = null;
@@ -45,15 +46,21 @@ export class PlaneView {
   template(voice) {
     const { quantities, isVeiled } = this.#lens;
     return html`
-      ${planeChoices(this.#lens, this.#plane, quantities, voice)}
+      ${planeChoices(this.#lens, this.#plane, quantities, voice, { isOpen: this.#isOpen, toggle: this.#toggle })}
       <shimmy-plane .voice=${voice} .quantities=${quantities} .plane=${this.#plane} .isVeiled=${isVeiled} .label=${this.#label(voice)}></shimmy-plane>
       ${this.#roots.template(voice)}`;
   }
 
   /** @type {View['line']} */
   line(voice) {
-    return html`<p class="share">${this.#lens.isVeiled ? '' : this.#shareInWords(voice)}</p>`;
+    if (this.#lens.isVeiled) return html`<p class="share"></p>`;
+    return html`<p class="share"><span class="full">${this.#shareInWords(voice)}</span><span class="brief">${this.#shareInBrief(voice)}</span></p>`;
   }
+
+  #toggle = () => {
+    this.#isOpen = !this.#isOpen;
+    this.#lens.requestUpdate();
+  };
 
   stale() {
     this.#roots.stale();
@@ -98,8 +105,19 @@ export class PlaneView {
     const [across, up] = [this.#lens.quantity(x.parameter), this.#lens.quantity(y.parameter)];
     if (this.#share === null || !across || !up) return voice.say('stability.none');
     const share = voice.say('stability.share', { share: voice.number(this.#share, 1), x: rangeInWords(across, x, voice), y: rangeInWords(up, y, voice) });
-    const isGapped = this.#lens.isGapped || [x, y].some(({ parameter }) => parameter === gapParameter);
-    return isGapped ? voice.say('stability.share.gap', { share }) : share;
+    return this.#isGapped ? voice.say('stability.share.gap', { share }) : share;
+  }
+
+  /** The same for a foot that is short of room. @param {Voice} voice */
+  #shareInBrief(voice) {
+    if (this.#share === null) return voice.say('stability.none');
+    return voice.say(this.#isGapped ? 'stability.share.brief.gap' : 'stability.share.brief', { share: voice.number(this.#share, 1) });
+  }
+
+  /** Whether of all the plane, or all but an edge of it, linear theory speaks inside the gap. */
+  get #isGapped() {
+    const { x, y } = this.#plane;
+    return this.#lens.isGapped || [x, y].some(({ parameter }) => parameter === gapParameter);
   }
 
   /** @param {Voice} voice */

@@ -4,7 +4,7 @@ import '../../view/canvas.js';
 import { sheetOf } from '../../view/map-sheet.js';
 import { drawStabilityMap, frameOfMap, gapParameter, placesOfMap } from '../../view/stability-map.js';
 import { paintMapImage } from './map-image.js';
-import { becomes, becomesBriefly, lowerName, plainSymbol, valueInWords } from './say.js';
+import { becomes, becomesBriefly, becomesInSigns, lowerName, plainSymbol, valueInWords } from './say.js';
 
 /**
  * @typedef {import('../../controls/quantity.js').Quantity} Quantity
@@ -197,7 +197,7 @@ export class Plane extends LitElement {
     const gap = this.#gapSide;
     const isGapped = gap ? (gap.parameter === plane.x.parameter ? point.x : point.y) > 0 : linear.isGapped;
     const briefly = gap && !isGapped ? [voice.say('stability.linear.engaged', { what: becomes(roots, voice) })] : becomesBriefly(roots, isGapped, voice);
-    return [voice.say('stability.reading', { x, y, what: briefly[0] }), ...briefly];
+    return [...[briefly[0], becomesInSigns(roots, isGapped, voice)].map((what) => voice.say('stability.reading', { x, y, what })), ...briefly];
   }
 
   /** @param {PointerEvent} event */

@@ -39,11 +39,21 @@ export function becomesInTheory(roots, isGapped, voice) {
   return isGapped ? voice.say('stability.linear', { what }) : what;
 }
 
-/** The same in fewer words, for where there is little room: that it is linear theory goes last. @param {readonly Root[]} roots @param {boolean} isGapped @param {Voice} voice */
+/** The same in signs instead of words, for where there is little room. @param {readonly Root[]} roots @param {boolean} isGapped @param {Voice} voice */
+export function becomesInSigns(roots, isGapped, voice) {
+  const [leading] = roots;
+  if (!leading) return voice.say('stability.none');
+  const rate = signed(leading.re, voice);
+  if (isGapped) return voice.say('stability.linear.short', { rate });
+  return leading.im === 0 ? `${rate} ${voice.say('stability.perSecond')}` : voice.say('stability.signed', { rate, frequency: voice.number(leading.im / circle, 1) });
+}
+
+/** The same in fewer and fewer words: that it is linear theory goes last. @param {readonly Root[]} roots @param {boolean} isGapped @param {Voice} voice */
 export function becomesBriefly(roots, isGapped, voice) {
-  const what = becomesInTheory(roots, isGapped, voice);
-  if (!isGapped || roots.length === 0) return [what];
-  return [what, voice.say('stability.linear.short', { rate: signed(roots[0].re, voice) }), voice.say('panel.theory')];
+  if (roots.length === 0) return [becomes(roots, voice)];
+  const [whole, signs] = [becomesInTheory(roots, isGapped, voice), becomesInSigns(roots, isGapped, voice)];
+  if (!isGapped) return [whole, signs, `${signed(roots[0].re, voice)} ${voice.say('stability.perSecond')}`];
+  return [whole, voice.say('stability.linear.brief', { what: becomes(roots, voice) }), signs, voice.say('panel.theory')];
 }
 
 /** A rate of growth with its sign. @param {number} rate @param {Voice} voice */

@@ -79,7 +79,7 @@ export const linear = {
   'beside.table': 'Her düzlemin kararlı payı',
   'beside.column': 'kararlı %',
 
-  'stability.view.histories': 'Doğrusal, gerçek',
+  'stability.view.histories': 'Zaman geçmişleri',
   'panel.line.histories': 'Çalışmanın başından, şu anki değerlerle. Bir duruma basınca o kurulur.',
   'histories.name': '{state}: ψ(0) = {start} rad başlangıcıyla, {duration} s boyunca doğrusal ve doğrusal olmayan zaman geçmişi. {reading}.',
   'histories.state': 'Ne gösteriliyor',

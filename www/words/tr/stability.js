@@ -1,7 +1,7 @@
 /** Words of the lens Stability, in Turkish. @type {typeof import('../en/stability.js').stability} */
 export const stability = {
   'stability.title': 'Kararlılık düzlemi',
-  'stability.view.plane': 'Düzlem ve kökler',
+  'stability.view.plane': 'Düzlem, kökler',
   'stability.view.roots': 'Kökler ve salınım',
   'stability.view.locus': 'Köklerin yer eğrisi',
 
@@ -21,12 +21,16 @@ export const stability = {
   'stability.falls': '{rate} s⁻¹ ile sönüyor, {frequency} Hz',
   'stability.aside': 'yana dönüyor, {rate} s⁻¹',
   'stability.creeps': 'salınmadan {rate} s⁻¹ ile sönüyor',
+  'stability.signed': '{rate} s⁻¹, {frequency} Hz',
   'stability.linear': '{what} (doğrusal kuram, boşluk içinde)',
+  'stability.linear.brief': '{what} (doğrusal kuram)',
   'stability.linear.short': 'doğrusal kuram: {rate} s⁻¹',
   'stability.linear.engaged': '{what} (doğrusal kuram, yay devrede)',
   'stability.engaged': '{symbol} = 0: yay devrede',
 
   'stability.share': 'Düzlemin %{share} kadarı kararlı: {x}, {y}',
+  'stability.share.brief': '%{share} kararlı',
+  'stability.share.brief.gap': '%{share} kararlı (doğrusal kuram, boşluk içinde)',
   'stability.share.gap': 'Yayın çalışmadığı boşluk içinde doğrusal kuram: {share}',
   'stability.range': '{symbol} {from} … {to}',
   'stability.name': 'Düzlemde kararlılık: {across} boyunca {up}. {share}.',
@@ -39,6 +43,7 @@ export const stability = {
   'stability.across': 'Sağa doğru',
   'stability.up': 'Yukarı doğru',
   'stability.swap': 'Eksenleri değiştir',
+  'stability.fold': 'Eksenler ve renk',
   'stability.color': 'Renk',
   'stability.color.growthRate': 'Büyüme hızı',
   'stability.color.stable': 'Kararlı mı',
