@@ -137,7 +137,7 @@ test('a phrase too wide for its region is broken, and a word under the gear goes
     return sheetOf(context, box, map, { coloring: 'growthRate', limits, words: { stable: 'stable', hopf: phrase, divergence: '' } }, theme, voice).words.find(({ text }) => text.includes('unstable'));
   };
   assert.equal(placed(2000)?.text, phrase);
-  assert.equal(placed(420)?.text, 'linear theory,\ninside the gap:\nunstable');
+  assert.equal(placed(300)?.text, 'linear theory,\ninside the gap:\nunstable');
   const { context, named } = recordingContext();
   drawStabilityMap(context, size, shown, theme, voice);
   const [, x, y] = named('fillText').find(({ args }) => args[0] === 'shimmies')?.args ?? [];
@@ -172,6 +172,16 @@ test('lines of one value lie on it, closed where they close, with their numbers'
   assert.deepEqual(isoLinesOf({ values: [1, NaN, 0, 1], columns: 2, rows: 2 }, [0.4]), [[]]);
   assert.ok(sheet.numbers.some(({ text }) => text === '+10') && sheet.numbers.some(({ text }) => text === '−10'));
   assert.ok(!sheet.numbers.some(({ text }) => text === '0'), 'the boundary is drawn from its own source');
+});
+
+test('numbers of lines stand on the guides of the gear, and no line follows the edge of where nothing swings', () => {
+  const { context, calls } = recordingContext();
+  drawStabilityMap(context, size, shown, theme, voice);
+  const guide = calls.findLastIndex(({ name, style }) => name === 'lineTo' && style.strokeStyle === theme.ink && style.dash.length > 0);
+  assert.ok(calls.findIndex(({ name, args }) => name === 'fillText' && args[0] === '+10') > guide);
+  const frequency = Float64Array.from({ length: columns * rows }, (_, i) => (i % columns < 8 ? 0 : 50));
+  const { lines } = sheetOf(context, frame, { ...map, frequency }, { coloring: 'frequency', limits, words: { stable: '', hopf: '', divergence: '' } }, theme, voice);
+  assert.equal(lines.length, 0);
 });
 
 test('the gear is a ring at its values with dotted lines to both axes; beyond the plane it waits at the edge', () => {

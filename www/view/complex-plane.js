@@ -13,7 +13,7 @@ import { textFont } from './text.js';
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {{ left: number, right: number, top: number }} Limits in 1/s: the real part goes from left to right, the imaginary up from 0
- * @typedef {{ frame: Box, x: (re: number) => number, y: (im: number) => number }} Places
+ * @typedef {{ frame: Box, x: (re: number) => number, y: (im: number) => number, taken: Box[] }} Places `taken`: by numbers of rings and rays
  */
 
 const dampingRatios = [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7];
@@ -37,7 +37,8 @@ export const imaginaryName = [{ text: 'Im ' }, { symbol: 's' }, { text: ', rad/s
 export function drawComplexPlane(context, size, { left, right, top }, theme, voice, { veiled = false } = {}) {
   const frame = frameOf(size, theme, 'above');
   const [width, height] = [frame.right - frame.left, frame.bottom - frame.top];
-  const places = { frame, x: linear([left, right], [frame.left, frame.right]), y: linear([0, top], [frame.bottom, frame.top]) };
+  /** @type {Places} */
+  const places = { frame, taken: [], x: linear([left, right], [frame.left, frame.right]), y: linear([0, top], [frame.bottom, frame.top]) };
   if (width < 20 || height < 20) return places;
   const unit = /** @type {const} */ ({ symbol: 's', word: 'roots.re', perSI: 1, color: 'psi' });
   const x = axisOf({ ...unit, unit: '' }, [left, right], [frame.left, frame.right], Math.min(8, width / (theme.size * 3.6)), voice);
@@ -64,7 +65,7 @@ export function drawComplexPlane(context, size, { left, right, top }, theme, voi
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Places} places @param {Limits} limits @param {Theme} theme @param {Voice} voice */
-function drawGrid(context, { frame, x, y }, { left, right, top }, theme, voice) {
+function drawGrid(context, { frame, x, y, taken }, { left, right, top }, theme, voice) {
   const [originX, originY] = [x(0), y(0)];
   const [perRe, perIm] = [x(1) - originX, originY - y(1)];
   context.strokeStyle = theme.ghost;
@@ -104,6 +105,9 @@ function drawGrid(context, { frame, x, y }, { left, right, top }, theme, voice) 
     context.strokeStyle = theme.surface;
     context.strokeText(text, at, up);
     context.fillText(text, at, up);
+    const width = context.measureText(text).width;
+    const left = align === 'right' ? at - width : at - width / 2;
+    taken.push({ left, right: left + width, top: up - 0.6 * theme.size, bottom: up + 0.6 * theme.size });
   };
   for (const frequency of rings) {
     const im = Math.sqrt(Math.max(0, (circle * frequency) ** 2 - right ** 2));

@@ -28,7 +28,7 @@ export function colorsOf(coloring, limits, theme) {
   }
   if (coloring === 'frequency') {
     const [from, to] = limits.frequency;
-    const ramp = rampOf((share) => mix(surface, psi, 0.08 + share * 0.8));
+    const ramp = rampOf((share) => mix(surface, psi, 0.16 + share * 0.76));
     return (value) => (value > 0 ? ramp((value - from) / (to - from || 1)) : raised);
   }
   const limit = limits.growthRate;

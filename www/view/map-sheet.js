@@ -58,7 +58,8 @@ export function sheetOf(context, frame, map, { coloring, limits, words }, theme,
   context.font = textFont(theme, wordScale, 700);
   const placed = placeWords(context, frame, regionAt, words, theme);
 
-  const values = coloring === 'growthRate' ? growthRate : coloring === 'frequency' ? map.frequency : null;
+  // Where nothing swings there is no frequency, not one of 0 with all others between.
+  const values = coloring === 'growthRate' ? growthRate : coloring === 'frequency' ? map.frequency?.map((one) => one || NaN) ?? null : null;
   const levels = values ? levelsOf(coloring, limits) : [];
   const decimals = tickDecimals(levels);
   /** @type {MapSheet} */
@@ -87,7 +88,7 @@ export function sheetOf(context, frame, map, { coloring, limits, words }, theme,
  * @param {MapSheet} sheet
  * @param {Theme} theme
  */
-export function drawIsoLines(context, { lines, numbers }, theme) {
+export function drawIsoLines(context, { lines }, theme) {
   context.strokeStyle = theme.ink2;
   context.lineWidth = 0.9 * theme.line;
   context.globalAlpha = 0.75;
@@ -95,6 +96,10 @@ export function drawIsoLines(context, { lines, numbers }, theme) {
   for (const { x, y } of lines) for (let i = 0; i < x.length; i++) context[i === 0 ? 'moveTo' : 'lineTo'](x[i], y[i]);
   context.stroke();
   context.globalAlpha = 1;
+}
+
+/** The numbers of those lines. @param {CanvasRenderingContext2D} context @param {MapSheet} sheet @param {Theme} theme */
+export function drawMapNumbers(context, { numbers }, theme) {
   writeWords(context, numbers, textFont(theme, 0.85), theme);
 }
 

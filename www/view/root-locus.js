@@ -1,4 +1,5 @@
 import { drawComplexPlane, imaginaryName } from './complex-plane.js';
+import { overlap } from './corner.js';
 import { drawCross } from './roots.js';
 import { colorsOf, written } from './map-colors.js';
 import { textFont, widthOfLabel } from './text.js';
@@ -36,14 +37,14 @@ export function drawRootLocus(context, size, { ways, roots, limits, sweep, veile
     drawVeil(context, frame, theme);
     return;
   }
-  const colorOf = colorsOf('frequency', { growthRate: 1, frequency: [-0.35, 1] }, theme);
+  const colorOf = colorsOf('frequency', { growthRate: 1, frequency: [-1, 1] }, theme);
   context.save();
   context.beginPath();
   context.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top + 4);
   context.clip();
   for (const { paths, shares } of ways) for (const path of paths) drawPath(context, path, shares, places, colorOf, theme);
   for (const { re, im } of roots) if (im >= 0) drawCross(context, x(re), y(im), re > 0 ? theme.unstable : theme.stable, theme);
-  nameWays(context, ways, places, theme);
+  nameWays(context, ways, roots, places, theme);
   context.restore();
   drawLegend(context, frame, sweep, colorOf, theme);
 }
@@ -72,11 +73,16 @@ const pieceOf = (share) => Math.min(Math.floor(share * pieces), pieces - 1);
 /** @param {number} piece @param {(share: number) => Color} colorOf */
 const pieceColor = (piece, colorOf) => written(colorOf((piece + 0.5) / pieces));
 
+/** How far below the end of its way, and how far beside it, a name may stand, in widths of small type, the best first. */
+const below = [0, 0.6, 1.2, 1.8, 2.4, 3];
+const beside = [0.7, 2, 3.5];
+
 /**
- * Names at the ends of the ways, of each at the root that swings fastest and is in the picture; none over another.
- * @param {CanvasRenderingContext2D} context @param {readonly Way[]} ways @param {Places} places @param {Theme} theme
+ * Names at the ends of the ways, of each at the root that swings fastest and is in the picture; none over another, a cross
+ * or a number of the grid, as far as there is room.
+ * @param {CanvasRenderingContext2D} context @param {readonly Way[]} ways @param {readonly Root[]} roots @param {Places} places @param {Theme} theme
  */
-function nameWays(context, ways, { frame, x, y }, theme) {
+function nameWays(context, ways, roots, { frame, x, y, taken }, theme) {
   context.font = textFont(theme, 0.9, 600);
   context.textBaseline = 'middle';
   context.lineJoin = 'round';
@@ -91,19 +97,31 @@ function nameWays(context, ways, { frame, x, y }, theme) {
     // Onward from where the way ends, so that it does not run through its name.
     return label && end ? [{ label, x: x(end.at.re), y: y(end.at.im), isLeftward: end.at.re < end.before.re }] : [];
   }).sort((one, other) => one.y - other.y);
+  const full = [...taken, ...roots.map(({ re, im }) => around(x(re), y(im), 0.7 * theme.size, 0.55 * theme.size))];
+  // In the order of their ways, so that one can tell which is whose.
   let lowest = -Infinity;
   for (const { label, x: across, y: up, isLeftward } of ends) {
-    const width = context.measureText(label).width + theme.size;
-    const isRight = isLeftward ? across - width < frame.left : across + width < frame.right;
-    const middle = Math.max(up, lowest + 1.25 * theme.size);
+    const width = context.measureText(label).width;
+    const from = Math.max(up, lowest + 1.25 * theme.size);
+    const places = below.flatMap((down) => beside.flatMap((off) => (isLeftward ? [-1, 1] : [1, -1]).map((side) =>
+      around(across + side * (off * theme.size + width / 2), from + down * theme.size, width / 2, 0.55 * theme.size))));
+    const inside = places.filter(({ left, right, top, bottom }) => left > frame.left && right < frame.right && top > frame.top && bottom < frame.bottom);
+    const box = inside.find((one) => !full.some((other) => overlap(one, other))) ?? inside[0];
+    if (!box) continue;
+    full.push(box);
+    context.textAlign = 'left';
+    const middle = (box.top + box.bottom) / 2;
     lowest = middle;
-    context.textAlign = isRight ? 'left' : 'right';
-    const at = across + (isRight ? 0.7 : -0.7) * theme.size;
     context.strokeStyle = theme.surface;
-    context.strokeText(label, at, middle);
+    context.strokeText(label, box.left, middle);
     context.fillStyle = theme.ink;
-    context.fillText(label, at, middle);
+    context.fillText(label, box.left, middle);
   }
+}
+
+/** @param {number} x @param {number} y @param {number} halfWidth @param {number} halfHeight @returns {import('./axes.js').Box} */
+function around(x, y, halfWidth, halfHeight) {
+  return { left: x - halfWidth, right: x + halfWidth, top: y - halfHeight, bottom: y + halfHeight };
 }
 
 /** What the colors mean, in the fixed corner. @param {CanvasRenderingContext2D} context @param {import('./axes.js').Box} frame @param {Shown['sweep']} sweep @param {(share: number) => Color} colorOf @param {Theme} theme */

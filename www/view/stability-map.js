@@ -3,11 +3,11 @@ import { drawBoundary } from './boundary.js';
 import { writeCornerReading } from './corner-reading.js';
 import { linear } from './scale.js';
 import { drawMapLegend } from './map-legend.js';
-import { drawHatch, drawIsoLines, drawRegionWords } from './map-sheet.js';
+import { drawHatch, drawIsoLines, drawMapNumbers, drawRegionWords } from './map-sheet.js';
 import { parameterAxis } from './parameter-axis.js';
 import { textFont, widthOfLabel } from './text.js';
 import { drawVeil } from './veil.js';
-import { boxOfWorkingPoint, drawWorkingPoint } from './working-point.js';
+import { boxOfWorkingPoint, drawGuides, drawWorkingPoint } from './working-point.js';
 
 /**
  * A plane of two parameters: where the gear is stable, how fast a swing grows or falls there, and where the gear is.
@@ -79,21 +79,29 @@ export function drawStabilityMap(context, size, shown, theme, voice) {
   const isNarrow = width < narrow * theme.size;
   drawAxes(context, frame, { ...x, name: () => x.name(widthOfLabel(context, x.name(false), theme, 600) > 0.5 * width) },
     { ...y, name: () => y.name(isNarrow) }, theme, { up: 'above' });
-  if (veiled) drawVeil(context, frame, theme);
-  else {
+  const gear = { x: place.x(point.x), y: place.y(point.y) };
+  if (veiled) {
+    drawVeil(context, frame, theme);
+    drawGuides(context, frame, gear, theme);
+  } else {
     context.save();
     context.beginPath();
     context.rect(frame.left, frame.top, width, height);
     context.clip();
     if (sheet) drawIsoLines(context, sheet, theme);
     drawBoundary(context, boundary, place.x, place.y, theme);
-    if (sheet) drawRegionWords(context, sheet, boxOfWorkingPoint(place.x(point.x), place.y(point.y), theme), theme);
+    drawGuides(context, frame, gear, theme);
+    // What is to be read stands on the guides.
+    if (sheet) {
+      drawMapNumbers(context, sheet, theme);
+      drawRegionWords(context, sheet, boxOfWorkingPoint(gear.x, gear.y, theme), theme);
+    }
     if (shown.engaged) markEngaged(context, frame, shown, shown.engaged, theme);
     context.restore();
     const nameWidth = widthOfLabel(context, x.name(false), theme, 600);
     drawMapLegend(context, { left: frame.left, right: frame.right - nameWidth - theme.size, middle: frame.bottom + theme.size * 2.35 }, shown, theme, voice);
   }
-  drawWorkingPoint(context, frame, { x: place.x(point.x), y: place.y(point.y) }, theme);
+  drawWorkingPoint(context, frame, gear, theme);
   writeCornerReading(context, shown.readings, frame, width - widthOfLabel(context, y.name(isNarrow), theme, 600) - theme.size, theme);
 }
 

@@ -15,16 +15,9 @@ export function boxOfWorkingPoint(x, y, theme) {
   return { left: x - reach, right: x + reach, top: y - reach, bottom: y + reach };
 }
 
-/**
- * @param {CanvasRenderingContext2D} context
- * @param {Box} frame
- * @param {{ x: number, y: number }} point in px
- * @param {Theme} theme
- */
-export function drawWorkingPoint(context, frame, point, theme) {
-  const x = Math.min(Math.max(point.x, frame.left), frame.right);
-  const y = Math.min(Math.max(point.y, frame.top), frame.bottom);
-  const size = radius * Math.sqrt(theme.line);
+/** Dotted lines from the point to both axes. @param {CanvasRenderingContext2D} context @param {Box} frame @param {{ x: number, y: number }} point in px @param {Theme} theme */
+export function drawGuides(context, frame, point, theme) {
+  const { x, y } = withinFrame(point, frame);
   context.strokeStyle = theme.ink;
   context.lineWidth = 1.5 * theme.line;
   context.setLineDash([1.5 * theme.line, 4 * theme.line]);
@@ -35,7 +28,12 @@ export function drawWorkingPoint(context, frame, point, theme) {
   context.lineTo(frame.left, y);
   context.stroke();
   context.setLineDash([]);
+}
 
+/** The ring itself. @param {CanvasRenderingContext2D} context @param {Box} frame @param {{ x: number, y: number }} point in px @param {Theme} theme */
+export function drawWorkingPoint(context, frame, point, theme) {
+  const { x, y } = withinFrame(point, frame);
+  const size = radius * Math.sqrt(theme.line);
   context.beginPath();
   context.arc(x, y, size, 0, 2 * Math.PI);
   context.fillStyle = theme.surface;
@@ -62,4 +60,9 @@ function drawArrow(context, x, y, angle, size, theme) {
   context.lineTo(...at(-0.4 * size, -0.55 * size));
   context.closePath();
   context.fill();
+}
+
+/** @param {{ x: number, y: number }} point @param {Box} frame */
+function withinFrame(point, { left, right, top, bottom }) {
+  return { x: Math.min(Math.max(point.x, left), right), y: Math.min(Math.max(point.y, top), bottom) };
 }

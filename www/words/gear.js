@@ -45,7 +45,7 @@ export const gearTr = {
   atItsLimit: ', sınırında',
   spring: 'yay',
   damper: 'sönümleyici',
-  gap: 'boşluk ±{angle} ({factor} kat büyük)',
+  gap: 'boşluk ±{angle} (çizim ×\u2009{factor})',
   gapShort: 'boşluk ±{angle}',
   side: 'YANDAN',
   seenFromTheRight: 'sağdan görünüş',

@@ -73,7 +73,7 @@ export class LocusView {
     drawRootLocus(context, size, {
       ways: (found?.ways ?? []).map(({ value, at, paths }) => ({
         paths, shares: at.map((swept) => (swept - sweep.from) / (sweep.to - sweep.from)),
-        label: other && value !== null ? `${plainSymbol(other)} ${shortNumber(other, value, voice)}` : '',
+        label: other && value !== null ? `${plainSymbol(other)} ${withUnit(shortNumber(other, value, voice), other.unit)}` : '',
       })),
       roots: walk.roots, limits: found?.limits ?? unseen,
       sweep: { symbol: plainSymbol(swept), from: shortNumber(swept, sweep.from, voice), to: withUnit(shortNumber(swept, sweep.to, voice), swept.unit) }, veiled: isVeiled,

@@ -184,9 +184,9 @@ export class Plane extends LitElement {
     const sides = this.#sides;
     const linear = this.#scene?.linear;
     if (!voice || !plane || !sides || !linear) return [''];
-    const side = (/** @type {Quantity} */ quantity, /** @type {number} */ value, /** @type {boolean} */ hasUnit) =>
-      (isSpoken ? `${lowerName(quantity, voice)} ${quantity.write(value, voice)}` : hasUnit ? valueInWords(quantity, value, voice) : `${plainSymbol(quantity)} ${quantity.number(value, voice)}`);
-    const [x, y] = [side(sides.x.quantity, sides.x.quantity.snapped(point.x), true), side(sides.y.quantity, sides.y.quantity.snapped(point.y), false)];
+    const side = (/** @type {Quantity} */ quantity, /** @type {number} */ value) =>
+      (isSpoken ? `${lowerName(quantity, voice)} ${quantity.write(value, voice)}` : valueInWords(quantity, value, voice));
+    const [x, y] = [side(sides.x.quantity, sides.x.quantity.snapped(point.x)), side(sides.y.quantity, sides.y.quantity.snapped(point.y))];
     if (this.isVeiled) return [`${x}, ${y}`];
     let roots;
     try {
