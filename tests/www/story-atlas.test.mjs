@@ -99,6 +99,9 @@ test('they are found by their number and by their words, in both languages', () 
   assert.ok(found('table 5.6').includes('table-5.6') && found('tablo 5.6').includes('table-5.6'));
   assert.ok(found('stability sigma 0.02').includes('figure-5.9') || found('stability 0.02').includes('figure-5.9'));
   assert.ok(found('kararlılık').includes('figure-5.6'));
+  for (const query of ['root locus', 'kök yer eğrisi', 'eigenvalue', 'özdeğer']) assert.ok(found(query).includes('figure-5.5'), query);
+  for (const query of ['routh', 'Routh-Hurwitz', 'eigenvalue', 'hopf']) assert.ok(found(query).includes('figure-5.6') && found(query).includes('table-5.6'), query);
+  assert.ok(found('eigenvalue').includes('figure-5.59') && found('özdeğer').includes('table-5.7'));
 });
 
 test('each opens with the object, values and start of its figure, seen as the figure shows it', () => {
@@ -148,7 +151,7 @@ test('all titles are said in both languages, with every number of the atlas', ()
       assert.deepEqual(numbersIn(tr), numbersIn(entry.title), entry.id);
     }
     assert.doesNotMatch(tr.replaceAll('Limit çevrim', ''), left, tr);
-    assert.doesNotMatch(en + tr, /torsionAngle|lateralDeformation|psi|sigma|undefined|[{}]/, entry.id);
+    assert.doesNotMatch(en + tr, /_|torsionAngle|lateralDeformation|psi|sigma|undefined|[{}]/, entry.id);
   }
 });
 

@@ -8,6 +8,7 @@
  *   `number`: of a figure or table, '' for others; `settings`: the values of each step, angles in degrees
  */
 
+import { isWord } from '../words/voice.js';
 import { gistOf, lookOf, titleOf } from './title.js';
 
 const degrees = 180 / Math.PI;
@@ -31,11 +32,19 @@ export function indexOf(stories, voices) {
   return stories.map((story) => {
     const { entry, steps } = story;
     const text = voices.flatMap((voice) => [titleOf(story, voice), gistOf(story, voice), entry ? lookOf(entry, voice) : '']).join(' ');
-    const words = tokensOf(text);
+    const words = [...tokensOf(text), ...(entry ? voices.flatMap((voice) => tokensOf(methodsOf(entry, voice))) : [])];
     // The name of the thing is written as it is heard, and called by other names.
     const others = words.includes('shimmy') ? voices.flatMap((voice) => tokensOf(voice.say('search.shimmy'))) : [];
     return { story, words: [...words, ...others], number: entry?.id.split(' ')[1].toLowerCase() ?? '', settings: steps.map(valuesOf) };
   });
+}
+
+/** By what a figure is made, which people look for and its title does not say. @param {import('./story.js').AtlasEntry} entry @param {Voice} voice */
+function methodsOf({ id, view, run }, voice) {
+  const isPlanes = view === 'table' && /^Table 5\.[2-6]$/.test(id);
+  const isCase = id === 'Table 5.7' || (view === 'time-history' && run?.model === 'torsional-linear');
+  const key = `search.${isPlanes ? 'stability-map' : isCase ? 'cases' : view}`;
+  return isWord(key) ? voice.say(key) : '';
 }
 
 /**

@@ -40,7 +40,7 @@ const subjects = {
 const phrases = { 'linear model': 'atlas.linear', nonlinear: 'atlas.nonlinear', 'MR damper': 'atlas.damper' };
 
 /** @type {Readonly<Record<string, string>>} */
-const symbols = { sigma: 'σ', mu: 'μ', 'psi(0)': 'ψ(0)' };
+const symbols = { sigma: 'σ', mu: 'μ', 'psi(0)': 'ψ(0)', F_z: 'Fz' };
 
 /**
  * What a story is called: "First look", "Figure 5.88a".

@@ -27,6 +27,10 @@ export const atlas = {
   'look.phase-3d': 'orbit in space',
   'look.freeplay-law': 'restoring moment',
 
+  'search.root-locus': 'root locus, roots, eigenvalues, poles',
+  'search.stability-map': 'Routh–Hurwitz, eigenvalues, critical speed, Hopf',
+  'search.cases': 'eigenvalues, roots, linear theory',
+
   'atlas.linear': 'linear model',
   'atlas.nonlinear': 'nonlinear model',
   'atlas.damper': 'MR damper',
@@ -34,7 +38,7 @@ export const atlas = {
   'atlas.table-5.1': 'Parameters of the torsional dynamics',
   'atlas.table-5.2': 'Stable share of the e–v plane for k = 100 000, 50 000, 0',
   'atlas.table-5.3': 'Stable share of the c–v plane for seven σ',
-  'atlas.table-5.4': 'Stable share of the c–v plane for three F_z',
+  'atlas.table-5.4': 'Stable share of the c–v plane for three vertical forces',
   'atlas.table-5.5': 'Effect of the half contact length a on stability in the e–v plane',
   'atlas.table-5.6': 'Effect of the caster length e on stability in the c–v plane',
   'atlas.table-5.7': 'What the linear time histories show, case by case',

@@ -27,6 +27,10 @@ export const atlas = {
   'look.phase-3d': 'uzayda yörünge',
   'look.freeplay-law': 'geri getiren moment',
 
+  'search.root-locus': 'kök yer eğrisi, kökler, özdeğerler, kutuplar',
+  'search.stability-map': 'Routh–Hurwitz, özdeğerler, kritik hız, Hopf',
+  'search.cases': 'özdeğerler, kökler, doğrusal kuram',
+
   'atlas.linear': 'doğrusal model',
   'atlas.nonlinear': 'doğrusal olmayan model',
   'atlas.damper': 'MR sönümleyici',
@@ -34,7 +38,7 @@ export const atlas = {
   'atlas.table-5.1': 'Burulma dinamiğinin parametreleri',
   'atlas.table-5.2': 'k = 100 000, 50 000, 0 için e–v düzleminin kararlı payı',
   'atlas.table-5.3': 'Yedi σ için c–v düzleminin kararlı payı',
-  'atlas.table-5.4': 'Üç F_z için c–v düzleminin kararlı payı',
+  'atlas.table-5.4': 'Üç düşey kuvvet için c–v düzleminin kararlı payı',
   'atlas.table-5.5': 'Yarı temas uzunluğu a’nın e–v düzlemindeki kararlılığa etkisi',
   'atlas.table-5.6': 'Kaster boyu e’nin c–v düzlemindeki kararlılığa etkisi',
   'atlas.table-5.7': 'Doğrusal zaman geçmişlerinin gösterdiği, durum durum',
