@@ -43,7 +43,7 @@ export const stability = {
   'stability.across': 'To the right',
   'stability.up': 'Upward',
   'stability.swap': 'Swap the axes',
-  'stability.fold': 'Axes and color',
+  'stability.fold': 'More choices',
   'stability.color': 'Color',
   'stability.color.growthRate': 'Growth rate',
   'stability.color.stable': 'Stable or not',

@@ -43,7 +43,7 @@ export const stability = {
   'stability.across': 'Sağa doğru',
   'stability.up': 'Yukarı doğru',
   'stability.swap': 'Eksenleri değiştir',
-  'stability.fold': 'Eksenler ve renk',
+  'stability.fold': 'Diğer seçenekler',
   'stability.color': 'Renk',
   'stability.color.growthRate': 'Büyüme hızı',
   'stability.color.stable': 'Kararlı mı',
