@@ -70,7 +70,7 @@ impl Plane {
         Ok(Self::read_with(&Fields::of("plane", input, &Self::KEYS)?, &["count"])?.0)
     }
 
-    /// All curves of the plane. Neighbouring points are so near that a straight line between them is within 10⁻⁴ of the
+    /// All curves in the plane; one that runs along its edge bounds nothing in it, and is none of them. Neighbouring points are so near that a straight line between them is within 10⁻⁴ of the
     /// plane's width or height from the curve; they themselves are on it within 10⁻⁹.
     ///
     /// # Method
@@ -133,4 +133,8 @@ trait Boundary {
     fn crossing(&self, kind: CurveKind, at: Point) -> Option<Crossing>;
     /// All eigenvalues are to the left of the axis.
     fn stable(&self, at: Point) -> bool;
+    /// How much of the row at a height is stable, where that is known without curves.
+    fn stable_part(&self, _y: f64) -> Option<f64> {
+        None
+    }
 }

@@ -105,6 +105,11 @@ impl Form {
         self.slope(at).0
     }
 
+    /// The sum of its terms' sizes at a point.
+    pub fn size(&self, [x, y]: [f64; 2]) -> f64 {
+        self.c.iter().rev().fold(0.0, |sum, c| sum * y + c.iter().rev().fold(0.0, |sum, c| sum * x + c.abs()))
+    }
+
     /// The value at a point, and the slopes along x and y.
     #[inline(never)]
     pub fn slope(&self, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {

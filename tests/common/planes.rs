@@ -156,3 +156,24 @@ pub fn distance(case: &Case, curve: &HopfCurve, at: [f64; 2]) -> f64 {
         least.min((to[0] - part * way[0]).hypot(to[1] - part * way[1]))
     })
 }
+
+/// ∫ f over 0 … 1 by Simpson's rule, halved where it is not good enough, jumps and roots included.
+pub fn integral(f: &dyn Fn(f64) -> f64) -> f64 {
+    fn part(f: &dyn Fn(f64) -> f64, ends: [f64; 2], values: [f64; 3], depth: u32) -> f64 {
+        let [a, b] = ends;
+        let middle = a.midpoint(b);
+        let (left, right) = (f(a.midpoint(middle)), f(middle.midpoint(b)));
+        let whole = (b - a) / 6.0 * (values[0] + 4.0 * values[1] + values[2]);
+        let halves = (b - a) / 12.0 * (values[0] + 4.0 * left + 2.0 * values[1] + 4.0 * right + values[2]);
+        if depth == 0 || (halves - whole).abs() < 1e-10 {
+            return halves;
+        }
+        part(f, [a, middle], [values[0], left, values[1]], depth - 1)
+            + part(f, [middle, b], [values[1], right, values[2]], depth - 1)
+    }
+    let piece = |i: usize| {
+        let [a, b] = [i, i + 1].map(|i| i as f64 / 500.0);
+        part(f, [a, b], [f(a), f(a.midpoint(b)), f(b)], 30)
+    };
+    (0..500).map(piece).sum()
+}

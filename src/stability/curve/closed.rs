@@ -13,6 +13,8 @@ const FINEST: u32 = 26;
 const MOST_BOXES: usize = 2_000;
 /// Bernstein coefficients below this part of the largest are rounding.
 const ROUNDING: f64 = 1e-15;
+/// ω² below this part of what it is the sum of is 0: a curve is known to 1e-10 of the plane.
+const NO_SWING: f64 = 1e-9;
 
 /// The torsional gears: stable where both polynomials are positive.
 pub(super) struct ClosedForm {
@@ -71,7 +73,8 @@ impl Boundary for ClosedForm {
     /// At a₂a₁ = a₀ a pair is on the axis where a₁ > 0; otherwise it is two real eigenvalues of one size. The third one is
     /// −a₂. At a₀ = 0 the other two are left of the axis where a₁ > 0.
     fn crossing(&self, kind: CurveKind, at: Point) -> Option<Crossing> {
-        let square = self.swings.at(at) / self.inertia.at(at);
+        let swings = self.swings.at(at);
+        let square = if swings > NO_SWING * self.swings.size(at) { swings / self.inertia.at(at) } else { 0.0 };
         match kind {
             CurveKind::Hopf => {
                 (square > 0.0).then(|| Crossing { frequency: square.sqrt() / std::f64::consts::TAU, bounds: true })
@@ -82,6 +85,25 @@ impl Boundary for ClosedForm {
 
     fn stable(&self, at: Point) -> bool {
         self.calms.at(at) > 0.0 && self.stays.at(at) > 0.0
+    }
+
+    /// Where either condition changes in the row, and what holds between.
+    fn stable_part(&self, y: f64) -> Option<f64> {
+        let [calms, stays] = [&self.calms, &self.stays].map(|form| {
+            let mut crossings = Crossings::default();
+            let holds = form.row(y).cross(f64::NAN, &mut crossings);
+            (holds, crossings)
+        });
+        let holds = |(first, crossings): &(bool, Crossings), x: f64| {
+            *first != (crossings.list().iter().filter(|crossing| **crossing < x).count() % 2 == 1)
+        };
+        let mut cuts = [calms.1.list(), stays.1.list(), &[0.0, 1.0]].concat();
+        cuts.sort_by(f64::total_cmp);
+        let stable = |two: &&[f64]| {
+            let middle = two[0].midpoint(two[1]);
+            holds(&calms, middle) && holds(&stays, middle)
+        };
+        Some(cuts.windows(2).filter(stable).map(|two| two[1] - two[0]).sum())
     }
 }
 
@@ -114,7 +136,7 @@ impl Search<'_> {
             }
         }
         if signs != [true; 2] {
-            return;
+            return self.lines(b, ends);
         }
         if across_signs != [true; 2] || along_signs != [true; 2] || finer == 0 {
             return self.edges(b, ends);
@@ -142,6 +164,19 @@ impl Search<'_> {
     fn note(&self, signs: &mut [bool; 2], number: f64) {
         signs[0] |= number > self.rounding;
         signs[1] |= number < -self.rounding;
+    }
+
+    /// Where the left or the lower edge of a box is itself a line of zeros, with one sign at either side: neither of the two
+    /// boxes that it parts has both. The square's own edge bounds nothing within it.
+    #[inline(never)]
+    fn lines(&mut self, b: &Patch, [across, along]: [[f64; 2]; 2]) {
+        let zero = |b: &f64| b.abs() <= self.rounding;
+        if along[0] > 0.0 && b[0][..=self.form.across].iter().all(zero) {
+            self.seeds.push([across[0].midpoint(across[1]), along[0]]);
+        }
+        if across[0] > 0.0 && b[..=self.form.along].iter().all(|row| zero(&row[0])) {
+            self.seeds.push([across[0], along[0].midpoint(along[1])]);
+        }
     }
 
     /// Where zeros pass the left and lower edge of a box; the others are its neighbours', or the square's.

@@ -46,12 +46,20 @@ pub(super) fn branches(boundary: &dyn Boundary, tolerance: f64) -> Vec<Branch> {
             let Some(start) = tracer.on(seed) else { continue };
             if !traces.iter().any(|trace| tracer.passes(trace, &start)) {
                 let trace = tracer.trace(start);
-                tracer.cut(&trace, &mut all);
+                if !along_edge(&trace) {
+                    tracer.cut(&trace, &mut all);
+                }
                 traces.push(trace);
             }
         }
     }
     all
+}
+
+/// Whether all of a curve is on one edge of the square.
+fn along_edge(trace: &[Spot]) -> bool {
+    let on = |axis: usize, edge: f64| trace.iter().all(|spot| (spot.at[axis] - edge).abs() <= ON_EDGE);
+    (0..2).any(|axis| on(axis, 0.0) || on(axis, 1.0))
 }
 
 /// One kind of a boundary, to be followed.
