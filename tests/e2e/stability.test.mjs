@@ -3,34 +3,22 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import init, * as engine from '../../www/pkg/shimmy.js';
-import { knob, launch, open, type, untilVerdict } from './chromium.mjs';
-import { serve } from './site.mjs';
+import { knob, type, untilVerdict, withPage } from './chromium.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
 await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
 const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-/** @type {import('playwright-core').Browser} */
-let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
-let server;
-before(async () => {
-  server = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const site = withPage();
 
 const start = '#shimmy=2&velocity=80&dampingConstant=30&initial.torsionAngle=0.05&lens=stability';
 
 /** @param {string} [more] of the link @param {import('./chromium.mjs').Options} [options] */
 async function opened(more = '', options = {}) {
-  const visit = await open(browser, server.address + start + more, options);
+  const visit = await site.open(start + more, options);
   await visit.page.locator('shimmy-stability-lens .stability').waitFor();
   return visit;
 }
@@ -140,7 +128,7 @@ test('axes are chosen, swapped and colored, and a link brings them back', async 
   await page.waitForFunction(() => location.hash.includes('view.plane=torsionalStiffness:0:300000,casterLength:0:0.5,frequency'));
   const address = page.url();
   await leave();
-  const again = await open(browser, address);
+  const again = await site.openAt(address);
   await again.page.locator('.plane-point').waitFor();
   await untilSaid(again.page, /stiffness 100.000 N m\/rad, caster/);
   assert.equal(await again.page.getByLabel('Color').inputValue(), 'frequency');
@@ -258,7 +246,7 @@ test('loci are swept as chosen, and figure 5.5 is a press away', async () => {
   await page.waitForFunction(() => location.hash.includes('view.locus=casterLength:0:0.3'));
   await page.getByLabel('To', { exact: true }).fill('-1');
   await page.getByLabel('To', { exact: true }).press('Enter');
-  assert.equal(await page.getByLabel('To', { exact: true }).inputValue(), '0.300');
+  assert.match(await page.locator('#locus-why').innerText(), /less than the last/);
   await page.getByRole('button', { name: 'Figure 5.5' }).click();
   await page.waitForFunction(() => location.hash.includes('view.locus=velocity:0.5:100,casterLength:0:0.5:6'));
   assert.equal(await page.getByRole('button', { name: 'Figure 5.5' }).getAttribute('aria-pressed'), 'true');
@@ -299,4 +287,25 @@ test('nothing stands in the way of assistive technology', async () => {
     assert.deepEqual(found, []);
     await leave();
   }
+});
+
+test('an end of a sweep that the gear cannot have is explained, and the last good one stays', async () => {
+  const { page, leave } = await site.open('#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&lens=stability&view.stability=locus');
+  await untilVerdict(page, 'It shimmies');
+  const from = page.locator('.plane-choices .number').first();
+  const why = page.locator('#locus-why');
+  for (const [typed, said] of [['-5', /Speed must be above 0 m\/s\. It stays at 0\.5\./], ['abc', /0\.5/], ['1e400', /0\.5/], ['200', /less than the last/]]) {
+    await from.fill(/** @type {string} */ (typed));
+    await from.press('Enter');
+    await page.waitForFunction(() => document.querySelector('#locus-why')?.textContent !== '');
+    assert.match(await why.innerText(), /** @type {RegExp} */ (said), String(typed));
+    assert.equal(await from.getAttribute('aria-invalid'), 'true');
+    assert.doesNotMatch(page.url(), /view\.locus/);
+  }
+  await from.fill('2,5');
+  await from.press('Enter');
+  await page.waitForURL(/view\.locus=velocity:2\.5:100/);
+  assert.equal(await why.innerText(), '');
+  assert.equal(await from.getAttribute('aria-invalid'), 'false');
+  await leave();
 });

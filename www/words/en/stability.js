@@ -78,6 +78,7 @@ export const stability = {
   'locus.to': 'To',
   'locus.family': 'For some',
   'locus.single': 'one locus',
+  'locus.refused.order': 'The first must be less than the last.',
   'locus.thesis': 'Figure 5.5',
   'locus.thesis.does': 'Figure 5.5 of the thesis: caster and speed vary',
   'locus.line': 'Each line is the way of a root as {sweep} rises; the crosses are the gear as it is.',

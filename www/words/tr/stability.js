@@ -78,6 +78,7 @@ export const stability = {
   'locus.to': 'Sonu',
   'locus.family': 'Birkaç değer',
   'locus.single': 'tek eğri',
+  'locus.refused.order': 'İlki sonuncusundan küçük olmalı.',
   'locus.thesis': 'Şekil 5.5',
   'locus.thesis.does': 'Tezin 5.5 numaralı şekli: kaster ve hız değişiyor',
   'locus.line': 'Her çizgi, {sweep} artarken bir kökün yoludur; çarpılar takımın şu anki yeridir.',
