@@ -181,6 +181,8 @@ test('what is to be guessed is hidden in every view, from readers too', async ()
     assert.match(await page.locator('.panel-veil').innerText(), /Hidden until you have guessed/);
     assert.equal(await page.locator('.stability-panel :is(table, shimmy-canvas, dl, button, .panel-scroll)').count(), 0, view);
     assert.equal(await page.evaluate(() => /** @type {any} */ (document.querySelector('shimmy-gear')).eigenmode), null);
+    assert.equal(await page.locator('#lens-panel footer p').innerText(), '', 'nothing is said of what is hidden');
+    assert.equal(await page.locator('#lens-panel footer button').count(), view === 'histories' ? 1 : 0, 'only what has a scale is fitted');
     await leave();
   }
 });
@@ -202,6 +204,9 @@ test('figures and tables open from the search', async () => {
     await page.getByRole('listbox').getByRole('option').first().click();
     await page.locator(shown).waitFor();
   }
+  // Over the values of table 5.1 the way on and out of it stays.
+  await page.getByRole('button', { name: 'Back to what you had' }).click({ timeout: 3000 });
+  await page.locator('shimmy-drawer').waitFor({ state: 'detached' });
   await leave();
 });
 

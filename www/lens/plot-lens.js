@@ -57,6 +57,11 @@ export class PlotLens extends LitElement {
     return this.views.includes(name) ? name : this.views[0];
   }
 
+  /** Whether the view shown has a scale that holds, and can be fitted. */
+  get fits() {
+    return true;
+  }
+
   /** A view in a word. @param {string} _name @param {Voice} _voice */
   nameOfView(_name, _voice) {
     return '';
@@ -83,7 +88,7 @@ export class PlotLens extends LitElement {
       <footer>
         ${this.line(voice)}
         ${this.#choice(voice)}
-        <button type="button" class="framed" title="${voice.say('phase.fit.does')} (0)" @click=${() => tell(this, 'fit')}>${voice.say('phase.fit')}</button>
+        ${this.fits ? html`<button type="button" class="framed" title="${voice.say('phase.fit.does')} (0)" @click=${() => tell(this, 'fit')}>${voice.say('phase.fit')}</button>` : ''}
       </footer>`;
   }
 

@@ -15,6 +15,9 @@ import { stabilityViews } from './stability/views.js';
 /** What changes without being seen in a picture. */
 const unseen = ['said', 'outlook', 'ghosts'];
 
+/** Views with nothing to fit: an array, shapes as shares, planes with ranges that are chosen. */
+const withoutScale = ['modes', 'routh', 'beside'];
+
 /**
  * The lens *Stability*: what linear theory says of the gear, in one of several views. It follows the roots as values change
  * and tells when a pair crosses the axis; the views share that.
@@ -40,6 +43,10 @@ export class StabilityLens extends PlotLens {
   /** @param {string} name @param {Voice} voice */
   nameOfView(name, voice) {
     return voice.say(/** @type {import('../words/voice.js').Key} */ (`stability.view.${name}`));
+  }
+
+  get fits() {
+    return !withoutScale.includes(this.view);
   }
 
   /** Whether linear theory speaks of a swing inside the gap alone. */

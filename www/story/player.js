@@ -96,6 +96,8 @@ export function comeBack(app) {
   app.asTold = null;
   if (left.isPlaying) clock.play();
   else clock.pause();
+  // Values that a story showed go with it.
+  app.isDrawerOpen = false;
   app.notes = [];
   app.settled();
 }

@@ -27,6 +27,8 @@ export const panelView = (name) => class {
 
   /** @type {View['line']} */
   line(voice) {
+    // Of what is hidden nothing is said, and nothing to press.
+    if (this.#lens.isVeiled) return html`<p></p>`;
     const line = voice.say(/** @type {import('../../words/voice.js').Key} */ (`panel.line.${name}`));
     return html`<p>${this.#lens.isGapped ? voice.say('panel.gapped', { line }) : line}</p>`;
   }
