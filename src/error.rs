@@ -3,7 +3,7 @@
 //! An error is data first: which field, which value, what is allowed. The sentence is made from that, so that a page
 //! can say the same in another language.
 
-use std::fmt;
+use std::{fmt, ops::Deref};
 
 /// Result of anything that can refuse its input.
 pub type Result<T> = std::result::Result<T, Error>;
@@ -63,9 +63,22 @@ impl Code {
     }
 }
 
-/// A refused input, or a run that could not be carried through.
+/// A refused input, or a run that could not be carried through: a [`Refusal`] on the heap, so that what can fail hands on
+/// one word in its stead.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Error {
+pub struct Error(Box<Refusal>);
+
+impl Deref for Error {
+    type Target = Refusal;
+
+    fn deref(&self) -> &Refusal {
+        &self.0
+    }
+}
+
+/// What an [`Error`] holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
     /// Its kind.
     pub code: Code,
     /// The field, by its public (JavaScript) name; dotted where it is nested.
@@ -79,24 +92,25 @@ pub struct Error {
 }
 
 impl Error {
+    #[cold]
+    #[inline(never)]
+    fn of(code: Code, field: String, value: String, allowed: String, suggestion: Option<&'static str>) -> Self {
+        Self(Box::new(Refusal { code, field, value, allowed, suggestion }))
+    }
+
     /// `field must be allowed, got value`.
     #[cold]
     #[inline(never)]
     pub fn new(code: Code, field: impl Into<String>, value: impl Into<String>, allowed: impl Into<String>) -> Self {
-        Self { code, field: field.into(), value: value.into(), allowed: allowed.into(), suggestion: None }
+        Self::of(code, field.into(), value.into(), allowed.into(), None)
     }
 
     /// An unknown `name` in `place`, with the nearest of the known ones.
     #[inline(never)]
     pub fn unknown(code: Code, place: &str, name: &str, known: &[&'static str]) -> Self {
         let shown: String = name.chars().take(60).collect();
-        Self {
-            code,
-            field: place.to_owned(),
-            value: shown,
-            allowed: format!("one of {}", known.join(", ")),
-            suggestion: nearest(name, known),
-        }
+        let allowed = format!("one of {}", known.join(", "));
+        Self::of(code, place.to_owned(), shown, allowed, nearest(name, known))
     }
 
     /// The run came to `time` s in as many steps as it may take.
@@ -114,14 +128,27 @@ impl Error {
     /// The same error with its field placed inside a record: `parameters.velocity`.
     #[inline(never)]
     pub fn within(mut self, record: &str) -> Self {
-        self.field = format!("{record}.{}", self.field);
+        self.0.field = format!("{record}.{}", self.field);
+        self
+    }
+
+    /// The same error of another field.
+    #[inline(never)]
+    pub(crate) fn called(mut self, field: &str) -> Self {
+        self.0.field = field.to_owned();
+        self
+    }
+
+    /// The same error of another kind.
+    pub(crate) fn of_kind(mut self, code: Code) -> Self {
+        self.0.code = code;
         self
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { code, field, value, allowed, suggestion } = self;
+        let Refusal { code, field, value, allowed, suggestion } = &**self;
         match code {
             Code::UnknownKey => write!(f, "{field} has no key {value}")?,
             Code::UnknownName => write!(f, "{field} must be {allowed}, got {value}")?,
@@ -135,7 +162,7 @@ impl fmt::Display for Error {
         }
         match (suggestion, code) {
             (Some(name), _) => write!(f, " (did you mean {name}?)"),
-            (None, Code::UnknownKey) => write!(f, " (it takes {})", allowed.trim_start_matches("one of ")),
+            (None, Code::UnknownKey) => write!(f, " (it takes {})", allowed.strip_prefix("one of ").unwrap_or(allowed)),
             _ => Ok(()),
         }
     }

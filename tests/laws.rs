@@ -101,7 +101,7 @@ fn forces_at_a_state_lie_on_the_curves() {
 
 #[test]
 fn what_cannot_be_drawn_is_refused() {
-    let field = |slip, torsion, samples| Curves::new(slip, torsion, samples).unwrap_err().field;
+    let field = |slip, torsion, samples| Curves::new(slip, torsion, samples).unwrap_err().field.clone();
     assert_eq!(field(0.0, 1.0, 10.0), "slipAngle");
     assert_eq!(field(FRAC_PI_2, 1.0, 10.0), "slipAngle");
     assert_eq!(field(1.0, f64::NAN, 10.0), "torsionAngle");

@@ -90,7 +90,7 @@ impl Run {
     /// An unknown name, or a value that is not finite.
     pub fn starting(mut self, name: &str, value: f64) -> Result<Self> {
         let states = self.description().state;
-        let index = state_index(states, name).map_err(|error| Error { field: "initial".into(), ..error })?;
+        let index = state_index(states, name).map_err(|error| error.called("initial"))?;
         self.initial[index] = check_number(name, value, Validity::Finite, states[index].unit)?;
         Ok(self)
     }

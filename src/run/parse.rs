@@ -127,8 +127,8 @@ fn number_of(run: &Run, name: &str, value: &Value) -> Result<f64> {
         // The table's own words for what is allowed.
         other => match table[index].check(f64::NAN) {
             Err(error) => {
-                let allowed = format!("a number {}", error.allowed.trim_start_matches("a finite number "));
-                Err(Error { code: Code::WrongType, value: other.shown(), allowed, ..error })
+                let allowed = error.allowed.strip_prefix("a finite number ").unwrap_or(&error.allowed);
+                Err(wrong_type(name, other, &format!("a number {allowed}")))
             }
             Ok(_) => Ok(f64::NAN),
         },

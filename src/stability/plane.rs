@@ -40,13 +40,10 @@ impl Axis {
     /// An unknown parameter, ends that are not valid for it or do not ascend.
     fn of(run: &Run, parameter: &str, from: f64, to: f64) -> Result<Self> {
         let table = run.description().parameters;
-        let index = parameter_index(table, parameter).map_err(|error| Error {
-            code: Code::UnknownName,
-            field: "parameter".into(),
-            ..error
-        })?;
+        let index =
+            parameter_index(table, parameter).map_err(|error| error.of_kind(Code::UnknownName).called("parameter"))?;
         for (field, value) in [("from", from), ("to", to)] {
-            table[index].check(value).map_err(|error| Error { field: field.into(), ..error })?;
+            table[index].check(value).map_err(|error| error.called(field))?;
         }
         if to <= from {
             return Err(Error::new(Code::NotAscending, "to", shown(to), format!("> {} (from)", shown(from))));

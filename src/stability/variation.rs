@@ -57,13 +57,10 @@ impl Variation {
     /// An unknown parameter, ends that are not valid for it or do not ascend.
     pub(crate) fn applied(&self, table: &[Parameter], values: &[f64]) -> Result<Vec<Polynomial>> {
         let Self { from, to, .. } = *self;
-        let index = parameter_index(table, &self.parameter).map_err(|error| Error {
-            code: Code::UnknownName,
-            field: "parameter".into(),
-            ..error
-        })?;
+        let index = parameter_index(table, &self.parameter)
+            .map_err(|error| error.of_kind(Code::UnknownName).called("parameter"))?;
         for (field, value) in [("from", from), ("to", to)] {
-            table[index].check(value).map_err(|error| Error { field: field.into(), ..error })?;
+            table[index].check(value).map_err(|error| error.called(field))?;
         }
         if to < from {
             return Err(Error::new(Code::NotAscending, "to", shown(to), format!("≥ {} (from)", shown(from))));

@@ -27,9 +27,9 @@ pub(super) fn error(error: Error) -> JsValue {
     let js = js_sys::Error::new(&error.to_string());
     let target: &Object = js.as_ref();
     put(target, "code", &error.code.name().into());
-    put(target, "field", &error.field.into());
-    put(target, "value", &error.value.into());
-    put(target, "allowed", &error.allowed.into());
+    put(target, "field", &error.field.as_str().into());
+    put(target, "value", &error.value.as_str().into());
+    put(target, "allowed", &error.allowed.as_str().into());
     put(target, "suggestion", &error.suggestion.map_or(JsValue::NULL, JsValue::from));
     js.into()
 }
