@@ -40,6 +40,7 @@
 //! | [`live`] | a motion that goes on, takes changes and finds back |
 //! | [`stability`] | linear theory: eigenvalues and modes, Routh–Hurwitz, critical values, maps and boundaries |
 //! | [`energy`] | where a swing's energy comes from and where it goes |
+//! | [`cycles`] | limit cycles and their neighbours |
 //! | [`outlook`] | what becomes of a motion: one word and its numbers |
 //! | [`spectrum`] | the frequencies that a series is made of |
 //! | [`atlas`] | the figures and tables of the work that this implements |
@@ -60,6 +61,7 @@
 //! ```
 
 pub mod atlas;
+pub mod cycles;
 pub mod element;
 pub mod energy;
 pub mod error;

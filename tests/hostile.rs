@@ -4,6 +4,7 @@
 use proptest::prelude::*;
 use shimmy::{
     Error, Run,
+    cycles::Guess,
     live::Simulator,
     model::laws::Curves,
     run::{MOST_SAMPLES, Value},
@@ -214,6 +215,7 @@ fn attempt(input: &Value) {
         }
         Err(error) => assert_speaks(&error),
     }
+    cycle(&run, None);
     match run.live() {
         Ok(mut simulator) => {
             for _ in 0..3 {
@@ -222,6 +224,21 @@ fn attempt(input: &Value) {
                 }
                 assert_finite("the live state", &simulator.state());
             }
+        }
+        Err(error) => assert_speaks(&error),
+    }
+}
+
+/// Its limit cycle: one in finite numbers, none, or a refusal.
+fn cycle(run: &Run, guess: Option<&Guess>) {
+    match run.limit_cycle(guess) {
+        Ok(None) => {}
+        Ok(Some(cycle)) => {
+            assert_finite("a cycle", &[cycle.period, cycle.frequency]);
+            assert_finite("an amplitude", &cycle.amplitude);
+            cycle.multipliers.iter().for_each(|value| assert_finite("a multiplier", &[value.re, value.im]));
+            cycle.orbit.states.iter().for_each(|column| assert_finite("an orbit", column));
+            assert!(cycle.period > 0.0 && cycle.multipliers.len() == cycle.amplitude.len());
         }
         Err(error) => assert_speaks(&error),
     }
@@ -313,7 +330,7 @@ proptest! {
         let Ok(run) = Run::read(&run) else { return Ok(()) };
         let named = |key: &str, value| (key.to_owned(), value);
         let (parameter, from, to) = (Value::Text(parameter), Value::Number(from), Value::Number(to));
-        let variation = vec![named("parameter", parameter), named("from", from), named("to", to), named("linked", linked)];
+        let variation = vec![named("parameter", parameter), named("from", from.clone()), named("to", to), named("linked", linked)];
         for input in [Value::Record(variation.clone()), Value::Record(variation[..3].to_vec()), anything.clone()] {
             match Variation::read(&input).and_then(|variation| run.unstable_intervals(&variation)) {
                 Ok(intervals) => intervals.iter().for_each(|part| assert_finite("an end", &[part.from, part.to])),
@@ -321,6 +338,14 @@ proptest! {
             }
             match Variation::read(&input).and_then(|variation| run.crossings(&variation)) {
                 Ok(crossings) => crossings.iter().for_each(|c| assert_finite("a crossing", &[c.value, c.frequency])),
+                Err(error) => assert_speaks(&error),
+            }
+        }
+        let states = run.description().state.iter().zip(&state).map(|(state, x)| named(state.name, Value::Number(*x)));
+        let guess = vec![named("period", from.clone()), named("state", Value::Record(states.collect()))];
+        for input in [Value::Record(guess), anything.clone()] {
+            match Guess::read(&run, &input) {
+                Ok(guess) => cycle(&run, guess.as_ref()),
                 Err(error) => assert_speaks(&error),
             }
         }

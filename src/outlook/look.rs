@@ -20,7 +20,7 @@ const GONE: f64 = 1e-5;
 const STILL: f64 = 1e-6;
 
 /// What was seen.
-pub(super) struct Look<S, const N: usize> {
+pub(crate) struct Look<S, const N: usize> {
     pub motion: Integrator<S, N>,
     /// The cycles on the way.
     pub cycles: Vec<Cycle<N>>,
@@ -33,7 +33,7 @@ pub(super) struct Look<S, const N: usize> {
 
 /// Follows the motion until it repeats, is gone, or the horizon is reached; where it is still on its way then, the way
 /// is cut short ([`approach`]).
-pub(super) fn look_ahead<S: Gear<N>, const N: usize>(
+pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
     motion: Integrator<S, N>,
     scales: &[StateVariable],
     horizon: f64,

@@ -6,10 +6,8 @@ mod watch;
 
 use serde::Serialize;
 
-use self::{
-    look::{Look, look_ahead},
-    watch::End,
-};
+use self::look::Look;
+pub(crate) use self::{look::look_ahead, watch::End};
 use crate::{
     error::{Error, Result},
     integrate::failed,

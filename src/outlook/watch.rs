@@ -7,7 +7,7 @@ use crate::{
 
 /// One cycle, from a rise through zero of the first state to the next.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cycle<const N: usize> {
+pub(crate) struct Cycle<const N: usize> {
     pub start: f64,
     pub period: f64,
     pub low: f64,
@@ -18,7 +18,7 @@ pub(super) struct Cycle<const N: usize> {
 
 /// How a look ahead ended.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum End {
+pub(crate) enum End {
     /// The motion repeats.
     Repeats,
     /// It gets to nothing.

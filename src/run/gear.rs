@@ -42,7 +42,7 @@ impl Run {
         self.laws()?.along(states)
     }
 
-    fn check_width(&self, width: usize) -> Result<()> {
+    pub(crate) fn check_width(&self, width: usize) -> Result<()> {
         let names: Vec<_> = self.description().state.iter().map(|variable| variable.name).collect();
         if width == names.len() {
             return Ok(());

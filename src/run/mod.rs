@@ -13,6 +13,7 @@ pub(crate) use problem::{Posed, check_fixed_step};
 pub use value::Value;
 
 use crate::{
+    cycles::{Guess, LimitCycle},
     energy::Energy,
     error::{Code, Error, Result, shown},
     integrate::{Method, Output, Scheme, Trajectory},
@@ -216,6 +217,16 @@ impl Run {
         (self.method == Method::Always(Scheme::RungeKutta4)).then_some(self.step)
     }
 
+    /// The method that it is taken with.
+    pub(crate) fn method(&self) -> Method {
+        self.method
+    }
+
+    /// Its relative tolerance.
+    pub(crate) fn rtol(&self) -> f64 {
+        self.rtol
+    }
+
     /// Most steps it may take.
     pub(crate) fn max_steps(&self) -> u64 {
         self.max_steps
@@ -252,6 +263,17 @@ impl Run {
     /// As [`Run::simulate`]; a model without force laws.
     pub fn energy(&self) -> Result<Option<Energy>> {
         self.problem().energy()
+    }
+
+    /// The limit cycle near the guess; where there is no guess, or no cycle near it, the one that the motion settles on.
+    /// A run that starts at rest is tried with a small push in the direction that grows fastest, if any does, and then from
+    /// larger and larger angles. None where no start leads to a cycle.
+    ///
+    /// # Errors
+    /// As [`Run::simulate`] and [`Run::eigenmodes`]; a guess that makes no sense.
+    pub fn limit_cycle(&self, guess: Option<&Guess>) -> Result<Option<LimitCycle>> {
+        let guess = guess.map(|guess| guess.clone().checked(self)).transpose()?;
+        self.problem().limit_cycle(guess.as_ref())
     }
 
     fn table(&self) -> &'static [Parameter] {

@@ -2,6 +2,7 @@
 
 use super::Run;
 use crate::{
+    cycles::{self, Guess, LimitCycle},
     energy::{self, Energy},
     error::{Code, Error, Result, shown, shown_short},
     integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, solve},
@@ -33,6 +34,11 @@ pub trait Problem {
     /// # Errors
     /// As [`Run::energy`].
     fn energy(&self) -> Result<Option<Energy>>;
+    /// The limit cycle.
+    ///
+    /// # Errors
+    /// As [`Run::limit_cycle`].
+    fn limit_cycle(&self, guess: Option<&Guess>) -> Result<Option<LimitCycle>>;
 }
 
 /// A run with the system of its model.
@@ -111,6 +117,10 @@ impl<S: Gear<N>, const N: usize> Problem for Posed<S, N> {
 
     fn energy(&self) -> Result<Option<Energy>> {
         energy::of(self)
+    }
+
+    fn limit_cycle(&self, guess: Option<&Guess>) -> Result<Option<LimitCycle>> {
+        cycles::limit_cycle(self, guess)
     }
 }
 

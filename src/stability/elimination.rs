@@ -4,7 +4,7 @@ use nalgebra::{Complex, DMatrix};
 
 /// A square matrix brought to triangular form by Gaussian elimination with partial pivoting, with the right-hand side that
 /// went along.
-pub(super) struct Triangle {
+pub(crate) struct Triangle {
     rows: Vec<Vec<Complex<f64>>>,
 }
 

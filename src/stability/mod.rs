@@ -49,6 +49,7 @@ pub use self::{
 };
 pub(crate) use self::{
     crossings::crossings,
+    elimination::Triangle,
     linearisation::{at_rest, linearised},
 };
 

@@ -110,7 +110,7 @@ fn eigenmode(run: &Run, mode: &Eigenmode) -> Result<JsValue, JsValue> {
     Ok(object.into())
 }
 
-fn complex(value: Complex<f64>) -> Object {
+pub(super) fn complex(value: Complex<f64>) -> Object {
     let object = Object::new();
     put(&object, "re", &value.re.into());
     put(&object, "im", &value.im.into());

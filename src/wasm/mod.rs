@@ -4,6 +4,7 @@
 //! objects and `Float64Array`s. Nothing here can panic on input, and methods take `&self`: a panic would leave a
 //! `&mut self` borrowed for ever.
 
+mod cycles;
 pub(crate) mod digits;
 mod input;
 mod job;
@@ -12,6 +13,7 @@ mod output;
 mod plane;
 mod simulator;
 
+pub use cycles::limit_cycle;
 pub use job::Job;
 pub use linear::{
     characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, jacobian, routh_array, routh_hurwitz,

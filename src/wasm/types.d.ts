@@ -55,6 +55,31 @@ export interface Outlook {
   /** one period of the motion it goes to; empty where it goes to rest or beyond */
   orbit: Columns;
 }
+/** A limit cycle nearby: of a gear with slightly other parameters, say. */
+export interface CycleGuess {
+  /** s */
+  period: number;
+  /** a state on it; one that is not named is 0 */
+  state: Record<string, number>;
+}
+/** A motion that repeats, isolated from others that do. Where none is found the numbers are null and the lists empty. */
+export interface LimitCycle {
+  found: boolean;
+  /** s */
+  period: number | null;
+  /** Hz */
+  frequency: number | null;
+  /** largest |·| of every state on it */
+  amplitude: Record<string, number>;
+  /** Floquet multipliers by falling size, the trivial one (1) among them; of a pair the positive imaginary part first */
+  multipliers: ComplexNumber[];
+  /** all other multipliers are within the unit circle: neighbours come nearer */
+  stable: boolean | null;
+  /** the second half mirrors the first */
+  symmetric: boolean | null;
+  /** one period, its first point twice, from where the first state rises through zero */
+  orbit: Columns;
+}
 /** What linear theory says of a gear at rest. */
 export interface RouthHurwitz {
   stable: boolean;

@@ -19,6 +19,12 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.dense.at((t - self.from_t) / self.length)
     }
 
+    /// ∂f/∂x at time `t` within the last step, in its mode.
+    pub(crate) fn jacobian_at(&mut self, t: f64) -> [[f64; N]; N] {
+        let x = self.interpolate(t);
+        self.system.jacobian(t, self.from_mode, &x)
+    }
+
     /// Whether the motion at time `t` within the last step, and its rate there, are finite numbers, and the rate that the
     /// next step begins with is that of the equations.
     pub(crate) fn is_sound_at(&mut self, t: f64) -> bool {

@@ -1,0 +1,104 @@
+//! Limit cycles: motions that repeat, with all that their neighbours do.
+//!
+//! A start is brought near a cycle by following the motion ([`crate::outlook`]), or given. *Shooting* then asks for the state
+//! and the period after which the motion is back, by Newton's method, with the derivative of the arrival with respect to the
+//! start. That comes from the variational equations d′ = J(x(t)) d along each step of the motion: the field is continuous
+//! across its kinks, and a step ends at each, so nothing jumps there. The derivative over one period has the *Floquet
+//! multipliers* as eigenvalues: one is 1 (along the cycle), the others say whether a neighbour comes nearer.
+
+mod flow;
+mod shooting;
+mod square;
+mod start;
+
+use nalgebra::Complex;
+
+pub use self::start::Guess;
+use self::{
+    flow::{Carrier, Flow, Round},
+    shooting::Periodic,
+    start::starts,
+};
+use crate::{
+    error::Result,
+    live::Columns,
+    model::Gear,
+    outlook::{End, look_ahead},
+    run::Posed,
+};
+
+/// Most steps on the way to a cycle: six seconds take some ten thousand.
+const MOST_STEPS: u64 = 300_000;
+/// A cycle farther from the motion that led there is another one.
+const NEAR: f64 = 0.2;
+
+/// A motion that repeats, isolated from others that do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LimitCycle {
+    /// \[s\].
+    pub period: f64,
+    /// 1/period \[Hz\].
+    pub frequency: f64,
+    /// Largest |·| of every state on it, where it turns.
+    pub amplitude: Vec<f64>,
+    /// Floquet multipliers by falling size, the trivial one (1) among them; of a pair the positive imaginary part first.
+    pub multipliers: Vec<Complex<f64>>,
+    /// All others are within the unit circle: neighbours come nearer.
+    pub stable: bool,
+    /// The second half mirrors the first.
+    pub symmetric: bool,
+    /// One period, its first point twice, from where the first state rises through zero, if it does.
+    pub orbit: Columns,
+}
+
+/// The limit cycle of a run: near the guess, or the one that its motion settles on.
+pub(crate) fn limit_cycle<S: Gear<N>, const N: usize>(
+    posed: &Posed<S, N>,
+    guess: Option<&Guess>,
+) -> Result<Option<LimitCycle>> {
+    let scales = posed.tables.description.state;
+    let scaled = |x: &[f64]| -> Vec<f64> { x.iter().zip(scales).map(|(x, state)| x / state.scale).collect() };
+    if let Some(guess) = guess {
+        let mut carrier = Carrier::of(posed, guess.period)?;
+        if let Some(found) = shooting::periodic(&mut carrier, &scaled(&guess.state), guess.period)? {
+            return told(&mut carrier, found);
+        }
+    }
+    let horizon = posed.run.horizon();
+    for x in starts(&posed.run)? {
+        let mut motion = posed.motion(horizon / 20.0)?;
+        motion.restart(0.0, std::array::from_fn(|i| x[i])).map_err(|failure| crate::integrate::failed(failure, 0.0))?;
+        let look = look_ahead(motion, scales, horizon, posed.run.max_steps().min(MOST_STEPS))?;
+        let (End::Repeats, Some(cycle)) = (look.end, look.destination) else { continue };
+        let mut carrier = Carrier::of(posed, cycle.period)?;
+        if let Some(found) = settled(&mut carrier, &scaled(look.motion.state()), cycle.period)? {
+            return told(&mut carrier, found);
+        }
+    }
+    Ok(None)
+}
+
+/// The cycle that a motion has settled on, now at `x`: a stable one where there is one, over one or several times the time
+/// between two rises through zero.
+fn settled(flow: &mut dyn Flow, x: &[f64], between: f64) -> Result<Option<Periodic>> {
+    let near = |found: &Periodic| shooting::gap(&found.x, x, 1.0) < NEAR;
+    let mut best = shooting::periodic(flow, x, between)?.filter(near);
+    let odd = shooting::is_odd(flow, x);
+    for times in 1..=4 {
+        if best.as_ref().is_some_and(|found| found.stable) {
+            break;
+        }
+        let found = shooting::whole(flow, x, f64::from(times) * between, odd)?.filter(near);
+        best = match (best, found) {
+            (Some(best), Some(found)) if !found.stable => Some(best),
+            (best, found) => found.or(best),
+        };
+    }
+    Ok(best)
+}
+
+fn told(flow: &mut dyn Flow, found: Periodic) -> Result<Option<LimitCycle>> {
+    let Periodic { x, period, multipliers, stable, symmetric } = found;
+    let Round { amplitude, orbit } = flow.round(&x, period)?;
+    Ok(Some(LimitCycle { period, frequency: 1.0 / period, amplitude, multipliers, stable, symmetric, orbit }))
+}
