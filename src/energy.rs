@@ -12,7 +12,7 @@ use crate::{
 
 /// Five-point Gauss–Legendre quadrature on \[0, 1\]: places and weights (Abramowitz and Stegun, table 25.4, halved). Over a
 /// twentieth of a cycle it is exact to rounding.
-const GAUSS: [(f64, f64); 5] = [
+pub(crate) const GAUSS: [(f64, f64); 5] = [
     (0.046_910_077_030_668, 0.118_463_442_528_094_54),
     (0.230_765_344_947_158_45, 0.239_314_335_249_683_24),
     (0.5, 0.284_444_444_444_444_44),

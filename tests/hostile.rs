@@ -216,6 +216,15 @@ fn attempt(input: &Value) {
         Err(error) => assert_speaks(&error),
     }
     cycle(&run, None);
+    match run.describing_function() {
+        Ok(cycles) => cycles.iter().for_each(|cycle| {
+            assert_finite(
+                "a prediction",
+                &[cycle.frequency, cycle.amplitude.torsion_angle, cycle.amplitude.slip_angle],
+            );
+        }),
+        Err(error) => assert_speaks(&error),
+    }
     match run.live() {
         Ok(mut simulator) => {
             for _ in 0..3 {

@@ -5,7 +5,10 @@
 //! start. That comes from the variational equations d′ = J(x(t)) d along each step of the motion: the field is continuous
 //! across its kinks, and a step ends at each, so nothing jumps there. The derivative over one period has the *Floquet
 //! multipliers* as eigenvalues: one is 1 (along the cycle), the others say whether a neighbour comes nearer.
+//!
+//! *Describing functions* ([`Predicted`]) ask the first harmonic alone: all cycles at once, within some per cent.
 
+mod describing;
 mod flow;
 mod shooting;
 mod square;
@@ -13,7 +16,10 @@ mod start;
 
 use nalgebra::Complex;
 
-pub use self::start::Guess;
+pub use self::{
+    describing::{Amplitudes, Predicted},
+    start::Guess,
+};
 use self::{
     flow::{Carrier, Flow, Round},
     shooting::Periodic,

@@ -88,7 +88,7 @@ impl<T: Ring> TorsionalTheory<T> {
 
     /// (a₂a₁ − a₀) v σ² I_z²: positive exactly where a₂a₁ > a₀.
     #[inline(never)]
-    pub(super) fn calms(&self) -> T {
+    pub(crate) fn calms(&self) -> T {
         let Self { velocity: v, relaxation_length: sigma, moment_of_inertia: i_z, .. } = *self;
         let lever = self.caster_length - self.half_contact_length;
         let damping = self.damping();
@@ -102,7 +102,7 @@ impl<T: Ring> TorsionalTheory<T> {
     }
 
     /// a₁ σ I_z: ω² σ I_z where a pair crosses.
-    pub(super) fn swings(&self) -> T {
+    pub(crate) fn swings(&self) -> T {
         let lever = self.caster_length - self.half_contact_length;
         self.stiffness() * self.relaxation_length + self.damping() + self.tire() * lever
     }

@@ -1,4 +1,4 @@
-//! Limit cycles.
+//! Limit cycles: found, and predicted.
 
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
@@ -42,4 +42,10 @@ pub fn limit_cycle(
     put(&object, "multipliers", &multipliers.into());
     put(&object, "orbit", &output::columns(states, orbit).into());
     Ok(object.into())
+}
+
+/// The limit cycles that describing functions predict, by rising amplitude.
+#[wasm_bindgen(js_name = describingFunction, unchecked_return_type = "PredictedCycle[]")]
+pub fn describing_function(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
+    output::record(&read_run(&run)?.describing_function().map_err(output::error)?)
 }

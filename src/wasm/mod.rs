@@ -13,7 +13,7 @@ mod output;
 mod plane;
 mod simulator;
 
-pub use cycles::limit_cycle;
+pub use cycles::{describing_function, limit_cycle};
 pub use job::Job;
 pub use linear::{
     characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, jacobian, routh_array, routh_hurwitz,

@@ -80,6 +80,14 @@ export interface LimitCycle {
   /** one period, its first point twice, from where the first state rises through zero */
   orbit: Columns;
 }
+/** A limit cycle as describing functions predict it from its first harmonic. */
+export interface PredictedCycle {
+  /** rad, m, rad */
+  amplitude: { torsionAngle: number; lateralDeformation: number; slipAngle: number };
+  /** Hz */
+  frequency: number;
+  stable: boolean;
+}
 /** What linear theory says of a gear at rest. */
 export interface RouthHurwitz {
   stable: boolean;

@@ -56,3 +56,15 @@ test('a guess that makes no sense is refused by name', () => {
   assert.equal(refused({ perido: 1 }).suggestion, 'period');
   assert.match(refused(7).message, /guess must be a record/);
 });
+
+test('describing functions: 0.20525 rad and 52.521 Hz where the cycle has 0.20632 and 52.517', () => {
+  const [cycle, ...others] = shimmy.describingFunction(gear({ velocity: 80, dampingConstant: 30 }));
+  assert.deepEqual(others, []);
+  near(cycle.amplitude.torsionAngle, 0.20525, 6e-6);
+  near(cycle.amplitude.slipAngle, 0.129005, 6e-7);
+  near(cycle.amplitude.lateralDeformation, 0.3 * cycle.amplitude.slipAngle, 1e-15);
+  near(cycle.frequency, 52.521, 6e-4);
+  assert.equal(cycle.stable, true);
+  assert.deepEqual(shimmy.describingFunction(gear({ velocity: 80, dampingConstant: 100, freeplayAngle: 0.01 })), []);
+  assert.equal(refusal(() => shimmy.describingFunction(/** @type {any} */ ({ model: 'torsionl' }))).suggestion, 'torsional');
+});

@@ -1,0 +1,323 @@
+//! Describing functions: limit cycles predicted from the first harmonic alone.
+
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
+
+use serde::Serialize;
+
+use crate::{
+    energy::GAUSS,
+    error::{Code, Error, Result, shown},
+    run::Run,
+    stability::{Polynomial, TorsionalTheory},
+};
+
+/// Amplitudes of α among which cycles are searched for \[rad\], and how many places are looked at, equally spaced in their
+/// logarithm.
+const AMPLITUDES: (f64, f64) = (1e-6, FRAC_PI_2);
+const PLACES: u32 = 600;
+/// Halvings of the way between two places: to rounding.
+const HALVINGS: u32 = 60;
+/// By how much both amplitudes are changed to see which way the gear's verdict goes.
+const ASIDE: f64 = 1e-5;
+
+/// A limit cycle as its first harmonic predicts it.
+///
+/// # Equations
+/// A nonlinear law that a sinusoid of amplitude A goes through answers, to first harmonic, like a straight one whose slope
+/// depends on A. The gear is then linear, and a sinusoid lasts where a₂a₁ = a₀, with ω² = a₁:
+///
+/// ```text
+/// F_y   c_Fα                                   A ≤ δ      c_Fα (2/π)(asin r + r√(1 − r²)),  r = δ/A,  beyond
+/// M_z   c_Mα (α_g/π)(4/(πA)) ∫₀^θ sin(πA sin t/α_g) sin t dt,   θ = π/2 for A ≤ α_g, asin(α_g/A) beyond
+/// s(ψ)  1 − (2/π)(asin s + s√(1 − s²)),  s = ψ_fp/A_ψ,   A_ψ > ψ_fp;   0 within the gap
+/// y = σA,   |ψ|/|y| = |iω + v/σ|/|v + iω(e − a)|
+/// ```
+///
+/// (For A ≤ α_g the integral is (π/2) J₁(πA/α_g).) With a gap both amplitudes are solved for together.
+///
+/// # Limits
+/// Higher harmonics are left out: within some per cent of the cycle where the tire saturates. It is asked for A up to π/2.
+///
+/// # References
+/// G. Somieski, *Aerospace Science and Technology* 8 (1997) 545–555.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Predicted {
+    /// Amplitudes of its sinusoids.
+    pub amplitude: Amplitudes,
+    /// ω/2π \[Hz\].
+    pub frequency: f64,
+    /// a₂a₁ − a₀ grows with the amplitude: a larger swing fades, a smaller one grows.
+    pub stable: bool,
+}
+
+/// Amplitudes of a predicted cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Amplitudes {
+    /// ψ \[rad\].
+    pub torsion_angle: f64,
+    /// y \[m\].
+    pub lateral_deformation: f64,
+    /// α \[rad\].
+    pub slip_angle: f64,
+}
+
+/// A gear as its describing functions see it.
+struct Gear<'a> {
+    run: &'a Run,
+    /// Places of k, c_Fα and c_Mα in the table.
+    places: [usize; 3],
+    side_force_limit: f64,
+    aligning_limit: f64,
+    freeplay: f64,
+    velocity: f64,
+    lever: f64,
+    relaxation_length: f64,
+    moment_of_inertia: f64,
+}
+
+/// What a swing of an amplitude of α would need to last.
+struct Balance {
+    /// Positive where the swing fades for want of it.
+    excess: f64,
+    /// A_ψ.
+    torsion: f64,
+    /// ω.
+    turning: f64,
+}
+
+impl Run {
+    /// The limit cycles that describing functions predict, by rising amplitude: stable and unstable ones.
+    ///
+    /// # Errors
+    /// A model without a closed linear theory; parameters so extreme that numbers are left; a gap in a gear without any
+    /// damping, of whose swing the equations do not say which of its stiffnesses it needs.
+    pub fn describing_function(&self) -> Result<Vec<Predicted>> {
+        let gear = Gear::of(self)?;
+        let place = |i: u32| {
+            let (least, most) = AMPLITUDES;
+            least * (most / least).powf(f64::from(i) / f64::from(PLACES))
+        };
+        let mut cycles = Vec::new();
+        let mut before: [Option<(f64, f64)>; 2] = [None, None];
+        for i in 0..=PLACES {
+            let now = gear.excess(place(i))?.map(|excess| (place(i), excess));
+            if let (Some(start), Some(end)) = (before[1], now) {
+                if start.1 * end.1 <= 0.0 && start.1 != end.1 {
+                    cycles.extend(gear.cycle(start, end)?);
+                } else if let Some(earlier) = before[0]
+                    && start.1.abs() < earlier.1.abs().min(end.1.abs())
+                    && earlier.1 * end.1 > 0.0
+                {
+                    // It comes near zero between them: there may be two.
+                    let nearest = gear.nearest(earlier, end)?;
+                    if nearest.1 * end.1 < 0.0 {
+                        cycles.extend(gear.cycle(earlier, nearest)?);
+                        cycles.extend(gear.cycle(nearest, end)?);
+                    }
+                }
+            }
+            before = [before[1], now];
+        }
+        Ok(cycles)
+    }
+}
+
+impl<'a> Gear<'a> {
+    fn of(run: &'a Run) -> Result<Self> {
+        let table = run.description().parameters;
+        let find = |name: &str| table.iter().position(|parameter| parameter.name == name);
+        // A law without a limit never comes to it.
+        let value = |name: &str, without: f64| find(name).map_or(without, |place| run.parameters()[place]);
+        let [Some(k), Some(force), Some(moment)] =
+            ["torsionalStiffness", "sideForceDerivative", "aligningMomentDerivative"].map(find)
+        else {
+            return Err(Error::without(run.description().name, "describing functions"));
+        };
+        let gear = Self {
+            run,
+            places: [k, force, moment],
+            side_force_limit: value("sideForceLimitAngle", f64::INFINITY),
+            aligning_limit: value("aligningMomentLimitAngle", f64::INFINITY),
+            freeplay: value("freeplayAngle", 0.0),
+            velocity: value("velocity", 0.0),
+            lever: value("casterLength", 0.0) - value("halfContactLength", 0.0),
+            relaxation_length: value("relaxationLength", 0.0),
+            moment_of_inertia: value("momentOfInertia", 0.0),
+        };
+        let damped = value("dampingConstant", 0.0) + value("treadWidthMomentConstant", 0.0) > 0.0;
+        if gear.freeplay > 0.0 && !damped {
+            let allowed = "> 0 N m s/rad where there is freeplay and no tread width";
+            return Err(Error::new(Code::Unsuited, "dampingConstant", "0", allowed));
+        }
+        Ok(gear)
+    }
+
+    /// a₂a₁ − a₀ and ω² of the quasi-linear gear, where α has the amplitude `slip` and the spring `part` of its stiffness; in
+    /// units that do not depend on either.
+    fn linear(&self, slip: f64, part: f64) -> Result<(f64, f64)> {
+        let description = self.run.description();
+        let mut values: Vec<Polynomial> = self.run.parameters().iter().map(|value| Polynomial::from(*value)).collect();
+        let gains = [part, saturation(slip, self.side_force_limit), aligning(slip, self.aligning_limit)];
+        for (place, gain) in self.places.into_iter().zip(gains) {
+            values[place] = Polynomial::from(self.run.parameters()[place] * gain);
+        }
+        let theory = (description.linear_theory)(&values).map(|theory| {
+            // What is left of the spring acts everywhere.
+            TorsionalTheory { freeplay_angle: Polynomial::from(0.0), ..theory }
+        });
+        let theory = theory.ok_or_else(|| Error::without(description.name, "describing functions"))?;
+        let calms = theory.calms().at(0.0);
+        let square = theory.swings().at(0.0) / (self.relaxation_length * self.moment_of_inertia);
+        match [calms, square].iter().find(|value| !value.is_finite()) {
+            Some(value) => {
+                let allowed = "finite: choose less extreme values";
+                Err(Error::new(Code::NotFinite, "the describing functions", shown(*value), allowed))
+            }
+            None => Ok((calms, square)),
+        }
+    }
+
+    /// A_ψ where α has the amplitude `slip` and swings with ω.
+    fn torsion(&self, slip: f64, turning: f64) -> f64 {
+        let (v, sigma) = (self.velocity, self.relaxation_length);
+        sigma * slip * turning.hypot(v / sigma) / v.hypot(turning * self.lever)
+    }
+
+    /// Of a swing with the amplitude `slip` of α; none where it could not turn back.
+    fn balance(&self, slip: f64) -> Result<Option<Balance>> {
+        let (with, fast) = self.linear(slip, 1.0)?;
+        let (excess, square) = if self.freeplay > 0.0 {
+            // Both are straight in the spring's part: it is known which one the swing needs.
+            let (without, slow) = self.linear(slip, 0.0)?;
+            let part = -without / (with - without);
+            let square = slow + part * (fast - slow);
+            let there = gap(self.torsion(slip, square.max(0.0).sqrt()), self.freeplay);
+            (there - part, square)
+        } else {
+            (with, fast)
+        };
+        let turning = square.sqrt();
+        let torsion = self.torsion(slip, turning);
+        Ok((square > 0.0 && excess.is_finite() && torsion.is_finite()).then_some(Balance { excess, torsion, turning }))
+    }
+
+    fn excess(&self, slip: f64) -> Result<Option<f64>> {
+        Ok(self.balance(slip)?.map(|balance| balance.excess))
+    }
+
+    /// The place between two where the excess is nearest to zero, by thirds.
+    fn nearest(&self, mut low: (f64, f64), mut high: (f64, f64)) -> Result<(f64, f64)> {
+        let sign = low.1.signum();
+        for _ in 0..HALVINGS {
+            let third = (high.0 - low.0) / 3.0;
+            let inner = [low.0 + third, high.0 - third];
+            let [Some(a), Some(b)] = [self.excess(inner[0])?, self.excess(inner[1])?] else { break };
+            for (slip, excess) in inner.into_iter().zip([a, b]) {
+                if sign * excess < 0.0 {
+                    return Ok((slip, excess));
+                }
+            }
+            if sign * a < sign * b { high = (inner[1], b) } else { low = (inner[0], a) }
+        }
+        Ok(low)
+    }
+
+    /// The cycle between two amplitudes of α at which the excess has different signs.
+    fn cycle(&self, start: (f64, f64), end: (f64, f64)) -> Result<Option<Predicted>> {
+        let (mut low, mut high) = (start.0, end.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let Some(excess) = self.excess(middle)? else { return Ok(None) };
+            *(if excess * start.1 > 0.0 { &mut low } else { &mut high }) = middle;
+        }
+        let slip = 0.5 * (low + high);
+        let Some(Balance { torsion, turning, .. }) = self.balance(slip)? else { return Ok(None) };
+        // Both amplitudes change together, as the swing's shape has them.
+        let calms = |factor: f64| self.linear(factor * slip, gap(factor * torsion, self.freeplay));
+        let amplitude =
+            Amplitudes { torsion_angle: torsion, lateral_deformation: self.relaxation_length * slip, slip_angle: slip };
+        Ok(Some(Predicted {
+            amplitude,
+            frequency: turning / TAU,
+            stable: calms(1.0 + ASIDE)?.0 > calms(1.0 - ASIDE)?.0,
+        }))
+    }
+}
+
+/// The part of its slope that a law keeps which does not grow beyond ± `limit`.
+fn saturation(amplitude: f64, limit: f64) -> f64 {
+    let r = (limit / amplitude).min(1.0);
+    FRAC_2_PI * (r.asin() + r * (1.0 - r * r).sqrt())
+}
+
+/// The part of its stiffness that a spring keeps in a gap of ± `freeplay`.
+fn gap(amplitude: f64, freeplay: f64) -> f64 {
+    if freeplay > 0.0 { 1.0 - saturation(amplitude, freeplay) } else { 1.0 }
+}
+
+/// The part of its slope that the aligning moment (limit/π) sin(π α/limit) keeps, which is 0 beyond ± `limit`.
+fn aligning(amplitude: f64, limit: f64) -> f64 {
+    let wave = PI * amplitude / limit;
+    if wave == 0.0 {
+        return 1.0;
+    }
+    let panels = 8;
+    let width = (limit / amplitude).min(1.0).asin() / f64::from(panels);
+    let integral = (0..panels).fold(0.0, |sum, panel| {
+        GAUSS.iter().fold(sum, |sum, (place, weight)| {
+            let sine = ((f64::from(panel) + place) * width).sin();
+            sum + weight * width * (wave * sine).sin() * sine
+        })
+    });
+    4.0 / (PI * wave) * integral
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// J₁ by its series.
+    fn bessel(x: f64) -> f64 {
+        let mut term = 0.5 * x;
+        (1..40).fold(0.0, |sum, k| {
+            let added = sum + term;
+            term *= -0.25 * x * x / f64::from(k * (k + 1));
+            added
+        })
+    }
+
+    #[test]
+    fn aligning_moment_is_a_bessel_function_up_to_its_limit() {
+        assert!((bessel(2.0) - 0.576_724_807_756_873_4).abs() < 1e-15, "Abramowitz and Stegun, table 9.1");
+        for part in [1e-9, 0.01, 0.3, 0.7, 1.0] {
+            let expected = 2.0 / (PI * part) * bessel(PI * part);
+            assert!((aligning(0.2 * part, 0.2) - expected).abs() < 1e-13, "{part}");
+        }
+        assert_eq!(aligning(0.3, f64::INFINITY), 1.0);
+    }
+
+    /// The first harmonic of each law, by the midpoint rule over a period.
+    #[test]
+    fn gains_are_first_harmonics() {
+        let n = 2_000_000;
+        let harmonic = |amplitude: f64, law: &dyn Fn(f64) -> f64| {
+            let sum = (0..n).fold(0.0, |sum, i| {
+                let sine = ((f64::from(i) + 0.5) / f64::from(n) * FRAC_PI_2).sin();
+                sum + law(amplitude * sine) * sine
+            });
+            2.0 / (f64::from(n) * amplitude) * sum
+        };
+        let limit = 0.17_f64;
+        for amplitude in [0.1, 0.16, 0.171, 0.3, 1.5] {
+            let moment = |x: f64| if x <= limit { limit / PI * (PI * x / limit).sin() } else { 0.0 };
+            assert!((aligning(amplitude, limit) - harmonic(amplitude, &moment)).abs() < 1e-6, "{amplitude}");
+            assert!(
+                (saturation(amplitude, limit) - harmonic(amplitude, &|x| x.min(limit))).abs() < 1e-6,
+                "{amplitude}"
+            );
+            let spring = |x: f64| (x - limit).max(0.0);
+            assert!((gap(amplitude, limit) - harmonic(amplitude, &spring)).abs() < 1e-6, "{amplitude}");
+        }
+    }
+}
