@@ -187,6 +187,15 @@ test('what is to be guessed is hidden in every view, from readers too', async ()
   }
 });
 
+test('a table of the thesis with another gear says so, and gets its values by a press', async () => {
+  const { page, leave } = await opened('beside&freeplayAngle=0.0174533', { reducedMotion: 'reduce' });
+  const note = page.locator('.strangers');
+  assert.match(await note.innerText(), /Not the thesis’ gear: c, .* differ\. Inside the gap no spring works/);
+  await note.getByRole('button').click();
+  await note.waitFor({ state: 'detached' });
+  await leave();
+});
+
 test('with freeplay every verdict is linear theory', async () => {
   const gap = '&freeplayAngle=0.0174533';
   for (const [view, where] of /** @type {const} */ ([['modes', '.theory'], ['routh', '.routh h2']])) {

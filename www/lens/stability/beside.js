@@ -7,7 +7,7 @@ import { tableCsv } from '../../out/table-csv.js';
 import '../../view/canvas.js';
 import { drawPlanesBeside, layBeside, widthOfWords } from '../../view/planes-beside.js';
 import { besideChoices } from './beside-choices.js';
-import { besideOf } from './beside-settings.js';
+import { besideOf, readyBesides, writeBeside } from './beside-settings.js';
 import { figuresTable, sorted } from './figures-table.js';
 import { Panel } from './panel.js';
 import { PlanesBeside } from './planes-beside.js';
@@ -72,6 +72,7 @@ export class BesidePlanes extends Panel {
     return html`
       <div class="panel-scroll beside" tabindex="0" role="group" aria-label=${voice.say('stability.view.beside')}>
         ${besideChoices(this, beside, voice)}
+        ${this.#strangers(beside, voice)}
         <div class="planes-beside" style="height: ${layout?.height ?? 200}px">
           <shimmy-canvas .label=${this.#label(beside, voice)} .paint=${this.#paint}></shimmy-canvas>
           ${layout?.boxes.map(({ left, right, top, bottom }, i) => {
@@ -148,6 +149,22 @@ export class BesidePlanes extends Panel {
       })),
     }, layout, theme);
   };
+
+  /** A comparison of the thesis with a gear that is not: which values are others, and a way to set them. @param {Beside} beside @param {Voice} voice */
+  #strangers(beside, voice) {
+    const text = writeBeside(beside);
+    if (!readyBesides.some((one) => one.text === text)) return nothing;
+    const varied = [beside.x, beside.y, ...beside.lists].map(({ parameter }) => parameter);
+    const others = this.quantities.filter(({ name, parameter }) => !varied.includes(name) && this.scene?.parameters[name] !== parameter.default);
+    if (others.length === 0) return nothing;
+    const isSlack = this.scene?.linear.isGapped && varied.includes('torsionalStiffness');
+    const values = Object.fromEntries(others.map(({ name, parameter }) => [name, parameter.default]));
+    return html`
+      <p class="table-out strangers">
+        <span>${voice.say('beside.strangers', { symbols: others.map(plainSymbol).join(', ') })}${isSlack ? ` ${voice.say('beside.slack')}` : ''}</span>
+        <button type="button" class="framed" @click=${() => { tell(this, 'point', { values, gesture: null }); tell(this, 'settle'); }}>${voice.say('beside.strangers.set')}</button>
+      </p>`;
+  }
 
   /** Whether the gear has these values. @param {Item} item */
   #isNow({ values }) {
