@@ -125,6 +125,17 @@ impl Error {
         Self::new(Code::Unsuited, "model", name, format!("one with {what}, such as torsional"))
     }
 
+    /// Parameters, each of them valid, that together drive something out of what a double can say.
+    #[cold]
+    pub(crate) fn beyond_numbers(what: &str) -> Self {
+        Self::new(
+            Code::NotFinite,
+            "parameters",
+            format!("values with which {what} would leave the numbers"),
+            "less extreme",
+        )
+    }
+
     /// The same error with its field placed inside a record: `parameters.velocity`.
     #[inline(never)]
     pub fn within(mut self, record: &str) -> Self {

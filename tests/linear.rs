@@ -157,7 +157,13 @@ fn on_the_boundary_the_largest_real_part_is_zero() {
 #[test]
 fn extreme_numbers_are_refused_in_words() {
     let run = gear(&[("momentOfInertia", 1e-310)]);
-    for error in [run.linearised().unwrap_err(), run.eigenmodes().unwrap_err(), run.routh_array().unwrap_err()] {
-        assert_eq!(error.to_string(), "the Jacobian must be of finite numbers: choose less extreme values, got NaN");
+    for (error, what) in [
+        (run.linearised().unwrap_err(), "the Jacobian"),
+        (run.eigenmodes().unwrap_err(), "the Jacobian"),
+        (run.routh_array().unwrap_err(), "Routh's array"),
+        (run.routh_hurwitz().unwrap_err(), "the Routh column"),
+    ] {
+        let expected = format!("parameters must be less extreme, got values with which {what} would leave the numbers");
+        assert_eq!(error.to_string(), expected);
     }
 }

@@ -231,5 +231,5 @@ fn growth_beyond_the_numbers_is_refused() {
     let run = Run::of("torsional").unwrap().with("relaxationLength", 1e-300).unwrap();
     let plane = Plane::of(&run, ("momentOfInertia", 1e-300, 2e-300), ("dampingConstant", 0.0, 100.0)).unwrap();
     let error = MapSpec::of(plane, 3, 3).unwrap().made().unwrap_err();
-    assert_eq!((error.code, error.field.as_str()), (Code::NotFinite, "the growth rate"));
+    assert_eq!((error.code, error.field.as_str()), (Code::NotFinite, "parameters"));
 }

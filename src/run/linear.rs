@@ -8,7 +8,7 @@ use crate::{
     parameter::parameter_index,
     stability::{
         Crossing, Eigenmode, EndKind, Linearisation, Polynomial, RouthArray, RouthHurwitz, TorsionalTheory,
-        UnstableInterval, Variation, characteristic_polynomial, crossings, linearised,
+        UnstableInterval, Variation, characteristic_bounded, characteristic_polynomial, crossings, linearised,
     },
 };
 
@@ -58,7 +58,17 @@ impl Run {
     /// # Errors
     /// As [`Run::characteristic_polynomial`]; parameters so extreme that an entry leaves the numbers.
     pub fn routh_array(&self) -> Result<RouthArray> {
-        RouthArray::of(&self.characteristic_polynomial()?)
+        self.theory_of_numbers().map_or_else(|| self.routh_array_by_numbers(), |theory| theory.routh_array())
+    }
+
+    fn routh_array_by_numbers(&self) -> Result<RouthArray> {
+        RouthArray::of_bounded(&characteristic_bounded(&self.linearised()?.jacobian)?)
+    }
+
+    /// The model's linear theory with the run's parameters.
+    fn theory_of_numbers(&self) -> Option<TorsionalTheory> {
+        let numbers: Vec<_> = self.parameters.iter().map(|value| Polynomial::from(*value)).collect();
+        (self.description().linear_theory)(&numbers)
     }
 
     /// What linear theory says of the gear at rest, and where that changes: in closed form where the model has one, by
@@ -67,9 +77,7 @@ impl Run {
     /// # Errors
     /// Parameters so extreme that coefficients leave the numbers; no equilibrium.
     pub fn routh_hurwitz(&self) -> Result<RouthHurwitz> {
-        let numbers: Vec<_> = self.parameters.iter().map(|value| Polynomial::from(*value)).collect();
-        (self.description().linear_theory)(&numbers)
-            .map_or_else(|| self.routh_hurwitz_by_numbers(), |theory| theory.routh_hurwitz())
+        self.theory_of_numbers().map_or_else(|| self.routh_hurwitz_by_numbers(), |theory| theory.routh_hurwitz())
     }
 
     /// As [`Run::routh_hurwitz`], for any model: the array's verdict, and critical values by a search among velocities from
@@ -78,7 +86,7 @@ impl Run {
     /// # Errors
     /// As [`Run::routh_array`], for the speeds and dampings searched, too.
     pub fn routh_hurwitz_by_numbers(&self) -> Result<RouthHurwitz> {
-        let array = self.routh_array()?;
+        let array = self.routh_array_by_numbers()?;
         let search = |names: &[&str], (from, to)| {
             let known = names.iter().find(|name| parameter_index(self.table(), name).is_ok());
             known.map_or(Ok(Vec::new()), |name| self.crossings(&Variation::of(name, from, to)))

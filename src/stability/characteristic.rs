@@ -2,7 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use crate::error::{Code, Error, Result, shown};
+use super::bounded::Bounded;
+use crate::error::{Error, Result};
 
 /// The coefficients of det(s − J), highest power (1) first.
 ///
@@ -13,33 +14,39 @@ use crate::error::{Code, Error, Result, shown};
 /// # Errors
 /// A matrix so extreme that they leave the numbers.
 pub fn characteristic_polynomial(jacobian: &DMatrix<f64>) -> Result<Vec<f64>> {
+    Ok(characteristic_bounded(jacobian)?.into_iter().map(|coefficient| coefficient.value).collect())
+}
+
+/// As [`characteristic_polynomial`], with how far rounding of the entries and of their sums may have led them.
+///
+/// # Errors
+/// As there.
+pub(crate) fn characteristic_bounded(jacobian: &DMatrix<f64>) -> Result<Vec<Bounded>> {
     let n = jacobian.nrows();
-    let mut coefficients = vec![0.0; n + 1];
-    coefficients[0] = 1.0;
+    let mut coefficients = vec![Bounded::exact(0.0); n + 1];
+    coefficients[0] = Bounded::exact(1.0);
     for chosen in 1_usize..1 << n {
         let rows: Vec<usize> = (0..n).filter(|place| chosen >> place & 1 == 1).collect();
         let minor = determinant(jacobian, &rows, &rows);
-        coefficients[rows.len()] += if rows.len() % 2 == 1 { -minor } else { minor };
+        let signed = if rows.len() % 2 == 1 { minor.negative() } else { minor };
+        coefficients[rows.len()] = coefficients[rows.len()] + signed;
     }
-    match coefficients.iter().find(|coefficient| !coefficient.is_finite()) {
-        Some(bad) => {
-            let allowed = "finite: choose less extreme values";
-            Err(Error::new(Code::NotFinite, "the characteristic polynomial", shown(*bad), allowed))
-        }
-        None => Ok(coefficients),
+    if coefficients.iter().any(|coefficient| !coefficient.value.is_finite()) {
+        return Err(Error::beyond_numbers("the characteristic polynomial"));
     }
+    Ok(coefficients)
 }
 
 /// Of the entries in these rows and columns, along the first row.
-fn determinant(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> f64 {
-    let Some((first, rest)) = rows.split_first() else { return 1.0 };
-    let mut sum = 0.0;
+fn determinant(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> Bounded {
+    let Some((first, rest)) = rows.split_first() else { return Bounded::exact(1.0) };
+    let mut sum = Bounded::exact(0.0);
     for (place, column) in columns.iter().enumerate() {
         let entry = matrix[(*first, *column)];
         if entry != 0.0 {
             let others: Vec<usize> = columns.iter().copied().filter(|other| other != column).collect();
-            let term = entry * determinant(matrix, rest, &others);
-            sum += if place % 2 == 1 { -term } else { term };
+            let term = Bounded::rounded(entry) * determinant(matrix, rest, &others);
+            sum = if place % 2 == 1 { sum - term } else { sum + term };
         }
     }
     sum
@@ -48,6 +55,7 @@ fn determinant(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> f64 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Code;
 
     #[test]
     fn of_a_companion_matrix_they_are_its_row() {

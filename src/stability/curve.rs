@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::Plane;
 use crate::{
-    error::{Code, Error, Result, shown},
+    error::{Error, Result},
     run::{Fields, Value},
 };
 use closed::ClosedForm;
@@ -99,9 +99,8 @@ impl Plane {
     }
 
     fn curve(&self, branch: Branch) -> Result<HopfCurve> {
-        if let Some(frequency) = branch.frequency.iter().find(|frequency| !frequency.is_finite()) {
-            let allowed = "a finite number: choose less extreme values";
-            return Err(Error::new(Code::NotFinite, "the frequency", shown(*frequency), allowed));
+        if branch.frequency.iter().any(|frequency| !frequency.is_finite()) {
+            return Err(Error::beyond_numbers("the frequency"));
         }
         Ok(HopfCurve {
             x: branch.spots.iter().map(|spot| self.x.value(spot.at[0])).collect(),

@@ -10,7 +10,7 @@ use super::{
     elimination::Triangle,
 };
 use crate::{
-    error::{Code, Error, Result, shown},
+    error::{Error, Result},
     model::laws::Laws,
     parameter::StateVariable,
 };
@@ -136,9 +136,8 @@ impl Eigenmode {
         let energy_flow = laws.filter(|_| reference == 0).map(|laws| EnergyFlow::of(growth, &shape, &laws));
         let parts = shape.iter().flat_map(|part| [part.re, part.im]);
         let flows = energy_flow.iter().flat_map(|flow| [flow.tire, flow.damper, flow.tread_width, flow.stored]);
-        if let Some(bad) = parts.chain(flows).chain([size]).find(|part| !part.is_finite()) {
-            let allowed = "finite: choose less extreme values";
-            return Err(Error::new(Code::NotFinite, "the modes", shown(bad), allowed));
+        if parts.chain(flows).chain([size]).any(|part| !part.is_finite()) {
+            return Err(Error::beyond_numbers("the modes"));
         }
         Ok(Self {
             eigenvalue,

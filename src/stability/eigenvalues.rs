@@ -5,12 +5,19 @@
 
 use nalgebra::{Complex, DMatrix};
 
-use crate::error::{Code, Error, Result, shown};
+use super::characteristic_bounded;
+use crate::error::{Error, Result};
 
 /// Most sweeps for one eigenvalue; it takes two or three.
 const SWEEPS: usize = 100;
 /// Every so many sweeps the shifts are others, for matrices that the usual ones turn into themselves.
 const STANDSTILL: usize = 10;
+/// What of the largest |λ| rounding may come to in another eigenvalue, and the steps in which it is found out.
+const IN_DOUBT: f64 = 1e-13;
+const STEPS: usize = 4;
+/// What is smaller beside the largest |λ| has lost digits in which the characteristic polynomial without its first terms is
+/// better.
+const LOST: f64 = 1e-9;
 
 /// The eigenvalues of a square matrix of finite numbers, by falling real part; of a pair the one with the positive
 /// imaginary part first, and both with the very same real part. A real eigenvalue has the imaginary part 0.
@@ -37,13 +44,55 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<Complex<f64>>> {
     for value in &mut values {
         *value = Complex::new(value.re * size, value.im * size);
     }
-    let bad = values.iter().flat_map(|value| [value.re, value.im]).find(|part| !part.is_finite());
-    if bad.is_some() || values.len() != matrix.nrows() {
-        let (got, allowed) = (shown(bad.unwrap_or(f64::NAN)), "finite: choose less extreme values");
-        return Err(Error::new(Code::NotFinite, "the eigenvalues", got, allowed));
+    if values.len() != matrix.nrows() || !values.iter().all(|value| value.re.is_finite() && value.im.is_finite()) {
+        return Err(Error::beyond_numbers("the eigenvalues"));
     }
+    settle(matrix, &mut values);
     sort(&mut values);
     Ok(values)
+}
+
+/// Looks again at eigenvalues so near to the axis that rounding of the largest one may have put them on their side of it:
+/// by Newton's method on the characteristic polynomial, whose small coefficients keep their digits.
+fn settle(matrix: &DMatrix<f64>, values: &mut [Complex<f64>]) {
+    let size = values.iter().fold(0.0, |most: f64, value| most.max(value.norm()));
+    let in_doubt = |value: &Complex<f64>| value.re.abs() <= IN_DOUBT * size;
+    let lost = |value: &Complex<f64>| value.norm() <= LOST * size;
+    if !values.iter().any(|value| in_doubt(value) || lost(value)) {
+        return;
+    }
+    let Ok(polynomial) = characteristic_bounded(matrix) else { return };
+    // One or two that are lost beside the others are the roots of the polynomial's end.
+    let end = |i: usize| polynomial[polynomial.len() - 1 - i].value;
+    let roots = match values.iter().filter(|value| lost(value)).count() {
+        1 => [Complex::from(-end(0) / end(1)); 2],
+        2 => of_two(-end(1) / end(2), -end(0) / end(2), 1.0, 0.0),
+        _ => [Complex::from(f64::NAN); 2],
+    };
+    if roots.iter().all(lost) {
+        values.iter_mut().filter(|value| lost(value)).zip(roots).for_each(|(value, root)| *value = root);
+    }
+    for value in values.iter_mut().filter(|value| in_doubt(value)) {
+        let mut root = *value;
+        for _ in 0..STEPS {
+            let (mut p, mut slope) = (Complex::from(0.0), Complex::from(0.0));
+            for coefficient in &polynomial {
+                slope = slope * root + p;
+                p = p * root + coefficient.value;
+            }
+            let step = p / slope;
+            root -= step;
+            if step.re.abs() <= 4.0 * f64::EPSILON * root.re.abs()
+                && step.im.abs() <= 4.0 * f64::EPSILON * root.im.abs()
+            {
+                break;
+            }
+        }
+        // Where several are one it goes astray.
+        if (root - *value).norm() <= IN_DOUBT * size {
+            *value = root;
+        }
+    }
 }
 
 /// By falling real part, then by how fast they turn, of a pair the positive first.

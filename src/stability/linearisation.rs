@@ -4,7 +4,7 @@ use nalgebra::{Complex, DMatrix};
 
 use super::{eigenvalues::eigenvalues, elimination::Triangle};
 use crate::{
-    error::{Code, Error, Result, shown},
+    error::{Code, Error, Result},
     model::{Description, System},
 };
 
@@ -64,9 +64,8 @@ fn newton(states: usize, at: &dyn Fn(&[f64]) -> Answer) -> Result<Linearisation>
     let mut arrived = false;
     for _ in 0..NEWTON_STEPS {
         let (rate, jacobian) = at(&equilibrium);
-        if let Some(entry) = jacobian.iter().chain(&rate).find(|entry| !entry.is_finite()) {
-            let allowed = "of finite numbers: choose less extreme values";
-            return Err(Error::new(Code::NotFinite, "the Jacobian", shown(*entry), allowed));
+        if jacobian.iter().chain(&rate).any(|entry| !entry.is_finite()) {
+            return Err(Error::beyond_numbers("the Jacobian"));
         }
         if arrived || rate.iter().all(|rate| *rate == 0.0) {
             return Ok(Linearisation { equilibrium, jacobian });

@@ -6,7 +6,7 @@ mod spec;
 
 use std::f64::consts::TAU;
 
-use crate::error::{Code, Error, Result, shown};
+use crate::error::{Error, Result};
 use rows::Rows;
 pub use spec::{MOST_CELLS, MapSpec, Quantities, Tile};
 
@@ -94,7 +94,7 @@ impl Cells {
     #[inline(always)]
     fn note(&mut self, index: usize, real: f64, imaginary: f64) -> Result<()> {
         if !(real + imaginary).is_finite() {
-            return Err(beyond_numbers(real));
+            return Err(Error::beyond_numbers("the growth rate"));
         }
         // What is not wanted has no place.
         if let Some(growth_rate) = self.growth_rate.get_mut(index) {
@@ -108,11 +108,6 @@ impl Cells {
         }
         Ok(())
     }
-}
-
-#[cold]
-fn beyond_numbers(rate: f64) -> Error {
-    Error::new(Code::NotFinite, "the growth rate", shown(rate), "a finite number: choose less extreme values")
 }
 
 impl StabilityMap {

@@ -10,6 +10,7 @@
 //! ([`HopfCurve`]) where that changes; both in closed form, where every condition is a polynomial in both parameters
 //! ([`Surface`]), and by eigenvalues for any other model.
 
+mod bounded;
 mod characteristic;
 mod crossings;
 mod cubic;
@@ -31,6 +32,12 @@ mod variation;
 
 use serde::Serialize;
 
+pub(crate) use self::{
+    characteristic::characteristic_bounded,
+    crossings::crossings,
+    elimination::Triangle,
+    linearisation::{at_rest, linearised},
+};
 pub use self::{
     characteristic::characteristic_polynomial,
     crossings::Crossing,
@@ -47,17 +54,12 @@ pub use self::{
     torsional::TorsionalTheory,
     variation::Variation,
 };
-pub(crate) use self::{
-    crossings::crossings,
-    elimination::Triangle,
-    linearisation::{at_rest, linearised},
-};
 
 /// The verdict of Routh and Hurwitz at rest.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct RouthHurwitz {
-    /// Every entry of the column is positive: all small motions fade.
+    /// Every entry of the column is positive by more than rounding, as Routh's array judges: all small motions fade.
     pub stable: bool,
     /// First column of the Routh array; of the torsional gears 1, a₂, a₁ − a₀/a₂, a₀.
     pub column: Vec<f64>,

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use crate::error::{Code, Error, Result, shown};
+use super::bounded::Bounded;
+use crate::error::{Code, Error, Result};
 
 /// A row of Routh's array that could not be gone on with as it came out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -31,7 +32,7 @@ pub enum Special {
 /// of ten nearest to the size of the roots: 1 for numbers as textbooks have them.
 ///
 /// # Limits
-/// An entry is zero where it is not larger than what rounding may have left of it.
+/// An entry is zero where it is not larger than what rounding may have left of it: a root as near to the axis is on it.
 ///
 /// # References
 /// E. J. Routh, *A Treatise on the Stability of a Given State of Motion*, Macmillan, 1877. M. Benidir and B. Picinbono,
@@ -55,51 +56,21 @@ pub struct RouthArray {
     pub stable: bool,
 }
 
-/// A number with a bound of its rounding error.
-#[derive(Clone, Copy)]
-struct Bounded {
-    value: f64,
-    error: f64,
-}
-
-impl Bounded {
-    /// A number that was rounded once or twice.
-    fn rounded(value: f64) -> Self {
-        Self { value, error: 4.0 * f64::EPSILON * value.abs() }
-    }
-
-    /// A number that is exact.
-    fn exact(value: f64) -> Self {
-        Self { value, error: 0.0 }
-    }
-
-    /// 0 where rounding may have left no more.
-    fn cleared(self) -> Self {
-        if self.value.abs() > self.error { self } else { Self { value: 0.0, error: 2.0 * self.error } }
-    }
-
-    /// self + factor · other.
-    fn plus(self, factor: Self, other: Self) -> Self {
-        let product = factor.value * other.value;
-        let value = self.value + product;
-        let rounding = f64::EPSILON * (value.abs() + product.abs());
-        let carried = self.error + factor.error * (other.value.abs() + other.error) + factor.value.abs() * other.error;
-        Self { value, error: carried + rounding }
-    }
-
-    fn over(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        let error = (self.error + value.abs() * other.error) / other.value.abs() + f64::EPSILON * value.abs();
-        Self { value, error }
-    }
-}
-
 impl RouthArray {
     /// Of the polynomial with these coefficients, highest power first.
     ///
     /// # Errors
     /// No coefficients, one that is not finite, a first one that is 0; sizes so different that an entry leaves the numbers.
     pub fn of(coefficients: &[f64]) -> Result<Self> {
+        Self::of_bounded(&coefficients.iter().map(|value| Bounded::rounded(*value)).collect::<Vec<_>>())
+    }
+
+    /// As [`RouthArray::of`], where it is known how far each coefficient may be off.
+    ///
+    /// # Errors
+    /// As there.
+    pub(crate) fn of_bounded(bounded: &[Bounded]) -> Result<Self> {
+        let coefficients = &values(bounded)[..];
         let degree = coefficients.len().saturating_sub(1);
         if coefficients.first().is_none_or(|leading| *leading == 0.0) {
             let allowed = "of a polynomial whose first coefficient is not 0";
@@ -119,7 +90,7 @@ impl RouthArray {
         let mut auxiliary = None;
         for index in 0..=degree {
             let next = if index < 2 {
-                coefficients.iter().skip(index).step_by(2).map(|coefficient| Bounded::rounded(*coefficient)).collect()
+                bounded.iter().skip(index).step_by(2).copied().collect()
             } else {
                 below(&above, &row, (degree - index) / 2 + 1)
             };
@@ -165,9 +136,9 @@ impl RouthArray {
 
 /// The row under `above` and `row`, of `length` entries.
 fn below(above: &[Bounded], row: &[Bounded], length: usize) -> Vec<Bounded> {
-    let ratio = above[0].over(Bounded { value: -row[0].value, error: row[0].error });
+    let ratio = above[0].over(row[0].negative());
     (0..length)
-        .map(|place| row.get(place + 1).map_or(above[place + 1], |entry| above[place + 1].plus(ratio, *entry)))
+        .map(|place| row.get(place + 1).map_or(above[place + 1], |entry| above[place + 1] + ratio * *entry))
         .collect()
 }
 
@@ -175,14 +146,14 @@ fn below(above: &[Bounded], row: &[Bounded], length: usize) -> Vec<Bounded> {
 fn multiply(row: &mut [Bounded], zeros: usize, size: f64) {
     let factor = Bounded::exact((-1.0 / (size * size)).powi(zeros as i32));
     for place in zeros..row.len() {
-        row[place - zeros] = row[place - zeros].plus(factor, row[place]);
+        row[place - zeros] = row[place - zeros] + factor * row[place];
     }
 }
 
 /// Puts the derivative of the polynomial `above`, whose first power is `power`, in the place of a zero row.
 fn differentiate(row: &mut [Bounded], above: &[Bounded], power: usize) {
     for (place, entry) in row.iter_mut().enumerate() {
-        *entry = entry.plus(Bounded::exact((power - 2 * place) as f64), above[place]);
+        *entry = *entry + Bounded::exact((power - 2 * place) as f64) * above[place];
     }
 }
 
@@ -191,13 +162,10 @@ fn values(row: &[Bounded]) -> Vec<f64> {
 }
 
 fn check_finite(row: &[Bounded]) -> Result<()> {
-    match row.iter().flat_map(|entry| [entry.value, entry.error]).find(|part| !part.is_finite()) {
-        Some(bad) => {
-            let allowed = "of finite numbers: choose less extreme values";
-            Err(Error::new(Code::NotFinite, "Routh's array", shown(bad), allowed))
-        }
-        None => Ok(()),
+    if row.iter().all(|entry| entry.value.is_finite() && entry.error.is_finite()) {
+        return Ok(());
     }
+    Err(Error::beyond_numbers("Routh's array"))
 }
 
 /// The power of ten nearest to the roots' geometric mean; 1 where one of them is 0.

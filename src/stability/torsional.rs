@@ -1,8 +1,8 @@
 //! The torsional gear's linear theory in closed form.
 
-use super::{EndKind, Polynomial, Ring, RouthHurwitz, UnstableInterval};
+use super::{EndKind, Polynomial, Ring, RouthArray, RouthHurwitz, UnstableInterval, bounded::Bounded};
 use crate::{
-    error::{Code, Error, Result, shown},
+    error::{Error, Result},
     parameter::LARGEST,
 };
 
@@ -109,6 +109,38 @@ impl<T: Ring> TorsionalTheory<T> {
 }
 
 impl TorsionalTheory {
+    /// The same of numbers that know their rounding. Every parameter is a number.
+    fn bounded(&self) -> TorsionalTheory<Bounded> {
+        let number = |parameter: Polynomial| Bounded::from(parameter.at(0.0));
+        TorsionalTheory {
+            velocity: number(self.velocity),
+            caster_length: number(self.caster_length),
+            half_contact_length: number(self.half_contact_length),
+            relaxation_length: number(self.relaxation_length),
+            moment_of_inertia: number(self.moment_of_inertia),
+            torsional_stiffness: number(self.torsional_stiffness),
+            damping_constant: number(self.damping_constant),
+            vertical_force: number(self.vertical_force),
+            side_force_derivative: number(self.side_force_derivative),
+            aligning_moment_derivative: number(self.aligning_moment_derivative),
+            tread_width_moment_constant: number(self.tread_width_moment_constant),
+            freeplay_angle: number(self.freeplay_angle),
+        }
+    }
+
+    /// Routh's array of 1, a₂, a₁, a₀. Every parameter is a number.
+    ///
+    /// # Errors
+    /// Values so extreme that the coefficients leave the numbers.
+    pub(crate) fn routh_array(&self) -> Result<RouthArray> {
+        let gear = self.bounded();
+        let inertia = gear.relaxation_length * gear.moment_of_inertia;
+        let a2 = gear.damps().over(gear.velocity * inertia);
+        let a1 = gear.swings().over(inertia);
+        let a0 = (gear.velocity * gear.stays()).over(inertia);
+        RouthArray::of_bounded(&[Bounded::exact(1.0), a2, a1, a0])
+    }
+
     /// Routh and Hurwitz, and where their verdict changes. Every parameter is a number.
     ///
     /// # Errors
@@ -126,14 +158,13 @@ impl TorsionalTheory {
         let a2 = v / sigma + (c + kappa / v) / i_z;
         let a0 = v * stays / (sigma * i_z);
         let column = [1.0, a2, calms / (v * sigma * sigma * i_z * i_z) / a2, a0];
-        if let Some(entry) = column.iter().find(|entry| !entry.is_finite()) {
-            let allowed = "of finite numbers: choose less extreme values";
-            return Err(Error::new(Code::NotFinite, "the Routh column", shown(*entry), allowed));
+        if column.iter().any(|entry| !entry.is_finite()) {
+            return Err(Error::beyond_numbers("the Routh column"));
         }
         // Neither speed nor damping enters k + T. Where that is not positive, a₂a₁ = a₀ ≤ 0 is no pair on the axis.
         let crossings = |gear: Self| if stays > 0.0 { gear.calms().roots(0.0, LARGEST) } else { Vec::new() };
         Ok(RouthHurwitz {
-            stable: column.iter().all(|entry| *entry > 0.0),
+            stable: self.routh_array()?.stable,
             column: column.to_vec(),
             critical_velocities: crossings(Self { velocity: Polynomial::variable(), ..*self }),
             critical_damping: crossings(Self { damping_constant: Polynomial::variable(), ..*self }).pop(),
