@@ -8,7 +8,7 @@ use crate::{
     energy::GAUSS,
     error::{Code, Error, Result, shown},
     run::Run,
-    stability::{Polynomial, TorsionalTheory},
+    stability::TorsionalTheory,
 };
 
 /// Amplitudes of α among which cycles are searched for \[rad\], and how many places are looked at, equally spaced in their
@@ -65,6 +65,7 @@ pub struct Amplitudes {
 /// A gear as its describing functions see it.
 struct Gear<'a> {
     run: &'a Run,
+    theory: fn(&[f64]) -> Option<TorsionalTheory<f64>>,
     /// Places of k, c_Fα and c_Mα in the table.
     places: [usize; 3],
     side_force_limit: f64,
@@ -125,17 +126,15 @@ impl Run {
 
 impl<'a> Gear<'a> {
     fn of(run: &'a Run) -> Result<Self> {
-        let table = run.description().parameters;
-        let find = |name: &str| table.iter().position(|parameter| parameter.name == name);
-        // A law without a limit never comes to it.
-        let value = |name: &str, without: f64| find(name).map_or(without, |place| run.parameters()[place]);
+        let value = |name: &str, without: f64| place(run, name).map_or(without, |place| run.parameters()[place]);
         let [Some(k), Some(force), Some(moment)] =
-            ["torsionalStiffness", "sideForceDerivative", "aligningMomentDerivative"].map(find)
+            ["torsionalStiffness", "sideForceDerivative", "aligningMomentDerivative"].map(|name| place(run, name))
         else {
-            return Err(Error::without(run.description().name, "describing functions"));
+            return Err(without(run));
         };
         let gear = Self {
             run,
+            theory: run.description().number_theory,
             places: [k, force, moment],
             side_force_limit: value("sideForceLimitAngle", f64::INFINITY),
             aligning_limit: value("aligningMomentLimitAngle", f64::INFINITY),
@@ -156,19 +155,16 @@ impl<'a> Gear<'a> {
     /// a₂a₁ − a₀ and ω² of the quasi-linear gear, where α has the amplitude `slip` and the spring `part` of its stiffness; in
     /// units that do not depend on either.
     fn linear(&self, slip: f64, part: f64) -> Result<(f64, f64)> {
-        let description = self.run.description();
-        let mut values: Vec<Polynomial> = self.run.parameters().iter().map(|value| Polynomial::from(*value)).collect();
+        let mut values = self.run.parameters().to_vec();
         let gains = [part, saturation(slip, self.side_force_limit), aligning(slip, self.aligning_limit)];
         for (place, gain) in self.places.into_iter().zip(gains) {
-            values[place] = Polynomial::from(self.run.parameters()[place] * gain);
+            values[place] *= gain;
         }
-        let theory = (description.linear_theory)(&values).map(|theory| {
-            // What is left of the spring acts everywhere.
-            TorsionalTheory { freeplay_angle: Polynomial::from(0.0), ..theory }
-        });
-        let theory = theory.ok_or_else(|| Error::without(description.name, "describing functions"))?;
-        let calms = theory.calms().at(0.0);
-        let square = theory.swings().at(0.0) / (self.relaxation_length * self.moment_of_inertia);
+        let theory = (self.theory)(&values).ok_or_else(|| without(self.run))?;
+        // What is left of the spring acts everywhere.
+        let theory = TorsionalTheory { freeplay_angle: 0.0, ..theory };
+        let calms = theory.calms();
+        let square = theory.swings() / (self.relaxation_length * self.moment_of_inertia);
         match [calms, square].iter().find(|value| !value.is_finite()) {
             Some(value) => {
                 let allowed = "finite: choose less extreme values";
@@ -243,6 +239,16 @@ impl<'a> Gear<'a> {
             stable: calms(1.0 + ASIDE)?.0 > calms(1.0 - ASIDE)?.0,
         }))
     }
+}
+
+/// Where the table has a parameter, if it does: a law without a limit never comes to it.
+#[inline(never)]
+fn place(run: &Run, name: &str) -> Option<usize> {
+    run.description().parameters.iter().position(|parameter| parameter.name == name)
+}
+
+fn without(run: &Run) -> Error {
+    Error::without(run.description().name, "describing functions")
 }
 
 /// The part of its slope that a law keeps which does not grow beyond ± `limit`.

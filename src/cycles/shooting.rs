@@ -80,15 +80,18 @@ pub(super) fn is_odd(flow: &dyn Flow, x: &[f64]) -> bool {
 }
 
 /// By how much `end` misses ± `x`, measured by x.
+#[inline(never)]
 pub(super) fn gap(end: &[f64], x: &[f64], sign: f64) -> f64 {
     let miss: Vec<f64> = end.iter().zip(x).map(|(end, x)| end - sign * x).collect();
     norm(&miss) / norm(x)
 }
 
+#[inline(never)]
 pub(super) fn norm(x: &[f64]) -> f64 {
     dot(x, x).sqrt()
 }
 
+#[inline(never)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
 }

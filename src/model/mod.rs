@@ -39,6 +39,9 @@ pub struct Description {
     /// See [`Model::linear_theory`].
     #[serde(skip)]
     pub(crate) linear_theory: fn(&[Polynomial]) -> Option<TorsionalTheory>,
+    /// The same where nothing varies.
+    #[serde(skip)]
+    pub(crate) number_theory: fn(&[f64]) -> Option<TorsionalTheory<f64>>,
     /// The model at its equilibrium, for checked parameter values in table order.
     #[serde(skip)]
     pub(crate) linearised: fn(&[f64]) -> Result<Linearisation>,
@@ -57,6 +60,7 @@ impl Description {
             state: M::STATE,
             laws: M::laws,
             linear_theory: M::linear_theory,
+            number_theory: M::linear_theory,
             linearised: |values| at_rest(&M::at_rest(values)),
             plane_theory: M::linear_theory,
         }
