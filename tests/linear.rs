@@ -160,7 +160,7 @@ fn extreme_numbers_are_refused_in_words() {
     for (error, what) in [
         (run.linearised().unwrap_err(), "the Jacobian"),
         (run.eigenmodes().unwrap_err(), "the Jacobian"),
-        (run.routh_array().unwrap_err(), "Routh's array"),
+        (run.routh_array().unwrap_err(), "the characteristic polynomial"),
         (run.routh_hurwitz().unwrap_err(), "the Routh column"),
     ] {
         let expected = format!("parameters must be less extreme, got values with which {what} would leave the numbers");

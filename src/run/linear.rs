@@ -7,8 +7,8 @@ use crate::{
     error::Result,
     parameter::parameter_index,
     stability::{
-        Crossing, Eigenmode, EndKind, Linearisation, Polynomial, RouthArray, RouthHurwitz, TorsionalTheory,
-        UnstableInterval, Variation, characteristic_bounded, characteristic_polynomial, crossings, linearised,
+        Bounded, Crossing, Eigenmode, EndKind, Linearisation, Polynomial, RouthArray, RouthHurwitz, TorsionalTheory,
+        UnstableInterval, Variation, characteristic_bounded, crossings, linearised,
     },
 };
 
@@ -50,7 +50,15 @@ impl Run {
     /// # Errors
     /// As [`Run::linearised`]; parameters so extreme that a coefficient leaves the numbers.
     pub fn characteristic_polynomial(&self) -> Result<Vec<f64>> {
-        characteristic_polynomial(&self.linearised()?.jacobian)
+        Ok(self.characteristic()?.into_iter().map(|coefficient| coefficient.value).collect())
+    }
+
+    /// The same with what rounding may have done: in closed form, where the model has one, from the parameters on.
+    fn characteristic(&self) -> Result<Vec<Bounded>> {
+        match self.theory_of_numbers() {
+            Some(theory) => Ok(theory.characteristic()?.to_vec()),
+            None => characteristic_bounded(&self.linearised()?.jacobian),
+        }
     }
 
     /// Routh's array of the characteristic polynomial.
@@ -58,11 +66,7 @@ impl Run {
     /// # Errors
     /// As [`Run::characteristic_polynomial`]; parameters so extreme that an entry leaves the numbers.
     pub fn routh_array(&self) -> Result<RouthArray> {
-        self.theory_of_numbers().map_or_else(|| self.routh_array_by_numbers(), |theory| theory.routh_array())
-    }
-
-    fn routh_array_by_numbers(&self) -> Result<RouthArray> {
-        RouthArray::of_bounded(&characteristic_bounded(&self.linearised()?.jacobian)?)
+        RouthArray::of_bounded(&self.characteristic()?)
     }
 
     /// The model's linear theory with the run's parameters.
@@ -86,7 +90,7 @@ impl Run {
     /// # Errors
     /// As [`Run::routh_array`], for the speeds and dampings searched, too.
     pub fn routh_hurwitz_by_numbers(&self) -> Result<RouthHurwitz> {
-        let array = self.routh_array_by_numbers()?;
+        let array = RouthArray::of_bounded(&characteristic_bounded(&self.linearised()?.jacobian)?)?;
         let search = |names: &[&str], (from, to)| {
             let known = names.iter().find(|name| parameter_index(self.table(), name).is_ok());
             known.map_or(Ok(Vec::new()), |name| self.crossings(&Variation::of(name, from, to)))

@@ -41,7 +41,7 @@ pub(crate) use self::{
 pub use self::{
     characteristic::characteristic_polynomial,
     crossings::Crossing,
-    curve::{CurveKind, HopfCurve},
+    curve::{CurveKind, CurveSpec, HopfCurve},
     eigenmodes::{Eigenmode, EnergyFlow},
     eigenvalues::eigenvalues,
     linearisation::Linearisation,

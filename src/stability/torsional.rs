@@ -128,17 +128,20 @@ impl TorsionalTheory {
         }
     }
 
-    /// Routh's array of 1, a₂, a₁, a₀. Every parameter is a number.
+    /// 1, a₂, a₁, a₀. Every parameter is a number.
     ///
     /// # Errors
-    /// Values so extreme that the coefficients leave the numbers.
-    pub(crate) fn routh_array(&self) -> Result<RouthArray> {
+    /// Values so extreme that they leave the numbers.
+    pub(crate) fn characteristic(&self) -> Result<[Bounded; 4]> {
         let gear = self.bounded();
         let inertia = gear.relaxation_length * gear.moment_of_inertia;
         let a2 = gear.damps().over(gear.velocity * inertia);
         let a1 = gear.swings().over(inertia);
         let a0 = (gear.velocity * gear.stays()).over(inertia);
-        RouthArray::of_bounded(&[Bounded::exact(1.0), a2, a1, a0])
+        if [a2, a1, a0].iter().any(|coefficient| !coefficient.value.is_finite()) {
+            return Err(Error::beyond_numbers("the characteristic polynomial"));
+        }
+        Ok([Bounded::exact(1.0), a2, a1, a0])
     }
 
     /// Routh and Hurwitz, and where their verdict changes. Every parameter is a number.
@@ -164,7 +167,7 @@ impl TorsionalTheory {
         // Neither speed nor damping enters k + T. Where that is not positive, a₂a₁ = a₀ ≤ 0 is no pair on the axis.
         let crossings = |gear: Self| if stays > 0.0 { gear.calms().roots(0.0, LARGEST) } else { Vec::new() };
         Ok(RouthHurwitz {
-            stable: self.routh_array()?.stable,
+            stable: RouthArray::of_bounded(&self.characteristic()?)?.stable,
             column: column.to_vec(),
             critical_velocities: crossings(Self { velocity: Polynomial::variable(), ..*self }),
             critical_damping: crossings(Self { damping_constant: Polynomial::variable(), ..*self }).pop(),
