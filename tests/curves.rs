@@ -4,14 +4,14 @@
 mod common;
 
 use common::{
-    planes::{Case, distance, eigenvalues, gear, named, run_with},
+    planes::{Case, distance, eigenvalues, gear, named, place, run_with},
     random::Random,
 };
 use nalgebra::Complex;
 use shimmy::{
     Run,
     model::Torsional,
-    stability::{CurveKind, EndKind, HopfCurve, Plane},
+    stability::{CurveKind, CurveSpec, EndKind, HopfCurve, Plane},
 };
 
 /// Every point of every curve, by the eigenvalues of the model's own Jacobian: what the curve says is on the axis is there
@@ -253,4 +253,126 @@ fn where_nothing_crosses_there_is_no_curve() {
     let limits = Plane::of(&run, ("sideForceLimitAngle", 0.01, 0.2), ("aligningMomentLimitAngle", 0.01, 0.2)).unwrap();
     assert!(limits.hopf_curves().unwrap().is_empty());
     assert_eq!(limits.stable_area().unwrap(), 0.0);
+}
+
+/// The terms of the condition of theory.md 2 that is zero where what leads is on the axis.
+fn terms(values: &[f64], kind: CurveKind) -> Vec<f64> {
+    let of = |name: &str| values[place(name)];
+    let (v, sigma, i_z) = (of("velocity"), of("relaxationLength"), of("momentOfInertia"));
+    let k = if of("freeplayAngle") == 0.0 { of("torsionalStiffness") } else { 0.0 };
+    let d = of("dampingConstant") * v + of("treadWidthMomentConstant");
+    let (e, a) = (of("casterLength"), of("halfContactLength"));
+    let tire = [of("aligningMomentDerivative"), e * of("sideForceDerivative")].map(|part| part * of("verticalForce"));
+    match kind {
+        CurveKind::Divergence => [&[k][..], &tire].concat(),
+        CurveKind::Hopf => {
+            let mut terms = vec![i_z * v * v * d, sigma * d * k * sigma, sigma * d * d];
+            for part in tire {
+                for lever in [e, -a, -sigma] {
+                    terms.push(i_z * v * v * part * lever);
+                }
+                terms.extend([sigma * d * part * e, -sigma * d * part * a]);
+            }
+            terms
+        }
+    }
+}
+
+/// Their sum over their sizes at a point of a case. What is zero itself there is so to a part of its axis.
+fn residual(case: &Case, [x, y]: [f64; 2], kind: CurveKind) -> f64 {
+    let sum: f64 = terms(&case.at(x, y), kind).iter().sum();
+    let [x, y] = [(x, case.axes[0]), (y, case.axes[1])].map(|(value, (_, from, to))| value.abs() + 1e-9 * (to - from));
+    sum.abs() / terms(&case.at(x, y), kind).iter().fold(f64::MIN_POSITIVE, |sum, term| sum + term.abs())
+}
+
+/// The condition itself: by the eigenvalues of the gear, positive where it holds.
+fn signed(values: &[f64], kind: CurveKind) -> f64 {
+    let all = eigenvalues::<Torsional>(values);
+    match kind {
+        CurveKind::Divergence => -all.iter().product::<Complex<f64>>().re,
+        CurveKind::Hopf => -((all[0] + all[1]) * (all[0] + all[2]) * (all[1] + all[2])).re,
+    }
+}
+
+/// Between two points the true boundary is within the accuracy asked for from the straight line, of the plane's size: across
+/// the middle of each chord the condition changes its sign there.
+#[test]
+fn chords_keep_to_the_accuracy_asked_for() {
+    let mut random = Random::seeded(14);
+    let (mut chords, mut most) = (0, 0);
+    for number in 0..200 {
+        let case = Case::random(&mut random);
+        let accuracy = [1e-4, 1e-5, 1e-6][number % 3];
+        let mut spec = CurveSpec::of(case.plane.clone());
+        assert_eq!(spec.accuracy, 1e-6);
+        spec.accuracy = accuracy;
+        for curve in spec.made().unwrap() {
+            most = most.max(curve.x.len());
+            for i in 1..curve.x.len() {
+                let [a, b] = [i - 1, i].map(|i| case.unit(curve.x[i], curve.y[i]));
+                let way = [b[0] - a[0], b[1] - a[1]];
+                let length = way[0].hypot(way[1]);
+                let beside = |side: f64| {
+                    let aside = side * accuracy / length;
+                    let at = [a[0].midpoint(b[0]) - aside * way[1], a[1].midpoint(b[1]) + aside * way[0]];
+                    let at = at.map(|part| part.clamp(0.0, 1.0));
+                    signed(&case.at(case.plane.x.value(at[0]), case.plane.y.value(at[1])), curve.kind)
+                };
+                if length > 1e-5 {
+                    assert!(beside(1.0) * beside(-1.0) <= 0.0, "{} at {a:?} {b:?}", case.what());
+                    chords += 1;
+                }
+            }
+        }
+    }
+    assert!(chords > 3_000 && most < 3_000, "{chords} {most}");
+}
+
+/// Axes a thousand times as far as their sliders: every point is on a boundary of the gear there, and none is missed that is
+/// not lost beside the axis; beyond, they are refused.
+#[test]
+fn points_of_wide_planes_are_on_the_boundary_or_refused() {
+    let mut random = Random::seeded(15);
+    let mut points = 0;
+    for _ in 0..500 {
+        let mut case = Case::random(&mut random);
+        let axes = case.axes.map(|(name, from, to)| {
+            let wide = 10_f64.powf(random.between(0.0, 3.0));
+            (name, if from < 0.0 { from * wide } else { from / wide }, to * wide)
+        });
+        if axes.iter().any(|(_, from, to)| to <= from) {
+            continue;
+        }
+        case = Case::of(case.values, axes, case.links);
+        let curves = case.plane.hopf_curves().unwrap();
+        for row in 0..10 {
+            let part = (f64::from(row) + random.unit()) / 10.0;
+            let (_, low, high) = case.axes[1];
+            for (x, kind) in case.ends_of_row(part) {
+                let at = case.unit(x, low + (high - low) * part);
+                if kind != EndKind::Range && (1e-6..1.0 - 1e-6).contains(&at[0]) {
+                    let nearest =
+                        curves.iter().fold(f64::INFINITY, |least, curve| least.min(distance(&case, curve, at)));
+                    assert!(nearest < 1e-5, "{} at {at:?}: {nearest}", case.what());
+                }
+            }
+        }
+        for curve in curves {
+            for (x, y) in curve.x.iter().zip(&curve.y) {
+                let off = residual(&case, [*x, *y], curve.kind);
+                assert!(off < 1e-6, "{} at {x} {y}: {off}", case.what());
+                points += 1;
+            }
+        }
+    }
+    assert!(points > 20_000, "{points}");
+
+    let refused = |x, y| named(&[], x, y).plane.hopf_curves().unwrap_err();
+    let error = refused(("velocity", 1e-12, 1e12), ("dampingConstant", 0.0, 100.0));
+    assert_eq!(
+        error.to_string(),
+        "x.to must be within ±120000 m/s: beyond, rounding hides the boundary, got 1000000000000"
+    );
+    assert_eq!(refused(("velocity", 1.0, 100.0), ("casterLength", -1e12, 1e12)).field, "y.from");
+    assert_eq!(refused(("velocity", 50.0, 50.0 + 1e-9), ("casterLength", 0.0, 1.0)).field, "x.to");
 }

@@ -7,7 +7,7 @@ use shimmy::{
     model::{Model, Torsional, TorsionalLinear},
     parameter::Parameter,
     run::Value,
-    stability::{MapSpec, Plane},
+    stability::{CurveSpec, MapSpec},
 };
 
 fn named(key: &str, value: Value) -> (String, Value) {
@@ -159,9 +159,9 @@ fn mapped(input: &Value) -> bool {
 
 /// Traces the boundary in a value without what only a map has.
 fn traced(input: &Value) {
-    let Value::Record(entries) = input else { return assert_speaks(&Plane::read(input).unwrap_err()) };
+    let Value::Record(entries) = input else { return assert_speaks(&CurveSpec::read(input).unwrap_err()) };
     let plane = entries.iter().filter(|(key, _)| !["quantities", "tile"].contains(&key.as_str())).cloned().collect();
-    match Plane::read(&Value::Record(plane)).and_then(|plane| plane.hopf_curves()) {
+    match CurveSpec::read(&Value::Record(plane)).and_then(|curves| curves.made()) {
         Ok(curves) => {
             for curve in curves {
                 assert!(curve.x.len() > 1 && curve.x.len() == curve.y.len() && curve.x.len() == curve.frequency.len());
@@ -195,4 +195,30 @@ proptest! {
         prop_assert!(!mapped(&input));
         traced(&input);
     }
+}
+
+/// What is an axis itself cannot follow the other one; the link is named, as is a wrong type of one.
+#[test]
+fn links_between_the_axes_are_refused() {
+    let read = |x: &str, y: &str, link: &str, value: Value| {
+        let axis = |name: &str| {
+            let ends = [("from", 0.1), ("to", 0.2)].map(|(key, end)| named(key, Value::Number(end)));
+            Value::Record([named("parameter", Value::Text(name.into()))].into_iter().chain(ends).collect())
+        };
+        let linked = Value::Record(vec![named(link, value)]);
+        let model = named("model", Value::Text("torsional".into()));
+        CurveSpec::read(&Value::Record(vec![model, named("x", axis(x)), named("y", axis(y)), named("linked", linked)]))
+    };
+    let yes = Value::Bool(true);
+    let error = read("halfContactLength", "relaxationLength", "relaxationLength", yes.clone()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "linked.relaxationLength must be false where what is linked is itself an axis, got true"
+    );
+    let error = read("treadWidthMomentConstant", "verticalForce", "treadWidthMomentConstant", yes.clone()).unwrap_err();
+    assert_eq!(error.field, "linked.treadWidthMomentConstant");
+    assert!(read("relaxationLength", "velocity", "relaxationLength", yes.clone()).is_ok(), "nothing leads it");
+    assert!(read("halfContactLength", "velocity", "relaxationLength", yes).is_ok());
+    let error = read("halfContactLength", "velocity", "relaxationLength", Value::Number(1.0)).unwrap_err();
+    assert_eq!(error.field, "linked.relaxationLength");
 }

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::Plane;
 use crate::{
-    error::{Error, Result},
+    error::{Code, Error, Result, shown},
     run::{Fields, Value},
 };
 use closed::ClosedForm;
@@ -21,10 +21,6 @@ use trace::branches;
 
 /// A point of the unit square that stands for the plane's rectangle.
 type Point = [f64; 2];
-
-/// How far a curve may be from the straight lines between its points, in parts of the plane: a third of what the eye, or
-/// whoever draws it, needs.
-const DRAWN: f64 = 3e-5;
 
 /// What crosses the imaginary axis at a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -61,17 +57,64 @@ pub struct HopfCurve {
     pub bounds: bool,
 }
 
-impl Plane {
-    /// Reads a record `{model, parameters, x: {parameter, from, to}, y, linked}`; a `count` of the axes may be there.
+/// How far a curve may be from the straight lines between its points, unless asked for otherwise.
+const ACCURACY: f64 = 1e-6;
+
+/// Curves to be followed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurveSpec {
+    /// The two parameters and what stays.
+    pub plane: Plane,
+    /// How far a curve may be from the straight lines between its points, in parts of the plane's width and height.
+    pub accuracy: f64,
+}
+
+impl CurveSpec {
+    /// Those of a plane, to 10⁻⁶.
+    pub fn of(plane: Plane) -> Self {
+        Self { plane, accuracy: ACCURACY }
+    }
+
+    /// Reads a record `{model, parameters, x: {parameter, from, to}, y, linked, accuracy}`; a `count` of the axes may be
+    /// there.
     ///
     /// # Errors
     /// Anything but known keys with valid values; the error names the field.
     pub fn read(input: &Value) -> Result<Self> {
-        Ok(Self::read_with(&Fields::of("plane", input, &Self::KEYS)?, &["count"])?.0)
+        let fields = Fields::of("plane", input, &[Plane::KEYS.as_slice(), &["accuracy"]].concat())?;
+        let mut curves = Self::of(Plane::read_with(&fields, &["count"])?.0);
+        let allowed = "from 1e-7 to 0.01 of the plane";
+        if let Some(accuracy) = fields.number("accuracy", allowed)? {
+            if !(1e-7..=0.01).contains(&accuracy) {
+                return Err(Error::new(Code::OutOfRange, "accuracy", shown(accuracy), allowed));
+            }
+            curves.accuracy = accuracy;
+        }
+        Ok(curves)
     }
 
-    /// All curves in the plane; one that runs along its edge bounds nothing in it, and is none of them. Neighbouring points are so near that a straight line between them is within 10⁻⁴ of the
-    /// plane's width or height from the curve; they themselves are on it within 10⁻⁹.
+    /// The curves.
+    ///
+    /// # Errors
+    /// As [`Plane::hopf_curves`].
+    pub fn made(&self) -> Result<Vec<HopfCurve>> {
+        match ClosedForm::of(&self.plane) {
+            Some(closed) => self.along(&closed),
+            None => self.along(&Eigenvalues::of(&self.plane)?),
+        }
+    }
+
+    fn along(&self, boundary: &dyn Boundary) -> Result<Vec<HopfCurve>> {
+        self.plane.resolved()?;
+        let pieces = branches(boundary, self.accuracy);
+        pieces.into_iter().map(|piece| self.plane.curve(boundary, piece)).collect()
+    }
+}
+
+impl Plane {
+    /// All curves in the plane; one that runs along its edge bounds nothing in it, and is none of them. Neighbouring points
+    /// are so near that a straight line between them is within 10⁻⁶ of the plane's width or height from the curve; they
+    /// themselves are on it within 10⁻⁹.
     ///
     /// # Method
     /// Pseudo-arclength continuation: a step along the tangent, and back to the curve by Newton's method at right angles
@@ -80,13 +123,10 @@ impl Plane {
     /// followed. Elsewhere a curve that passes between the points of a grid of 49 × 49 is missed.
     ///
     /// # Errors
-    /// Eigenvalues that leave the numbers; a model that has no equilibrium somewhere.
+    /// Axes so wide, or parameters so extreme, that rounding hides the boundary; eigenvalues that leave the numbers; a model
+    /// that has no equilibrium somewhere.
     pub fn hopf_curves(&self) -> Result<Vec<HopfCurve>> {
-        let branches = match ClosedForm::of(self) {
-            Some(closed) => branches(&closed, DRAWN),
-            None => branches(&Eigenvalues::of(self)?, DRAWN),
-        };
-        branches.into_iter().map(|branch| self.curve(branch)).collect()
+        CurveSpec::of(self.clone()).made()
     }
 
     /// As [`Plane::hopf_curves`], by eigenvalues alone where there is a closed form, too.
@@ -94,13 +134,16 @@ impl Plane {
     /// # Errors
     /// As there.
     pub fn hopf_curves_by_eigenvalues(&self) -> Result<Vec<HopfCurve>> {
-        let branches = branches(&Eigenvalues::of(self)?, DRAWN);
-        branches.into_iter().map(|branch| self.curve(branch)).collect()
+        CurveSpec::of(self.clone()).along(&Eigenvalues::of(self)?)
     }
 
-    fn curve(&self, branch: Branch) -> Result<HopfCurve> {
+    fn curve(&self, boundary: &dyn Boundary, branch: Branch) -> Result<HopfCurve> {
         if branch.frequency.iter().any(|frequency| !frequency.is_finite()) {
             return Err(Error::beyond_numbers("the frequency"));
+        }
+        if !branch.spots.iter().all(|spot| boundary.holds(branch.kind, spot.at)) {
+            let got = "values with which rounding hides the boundary";
+            return Err(Error::new(Code::Unsuited, "parameters", got, "less extreme, or the plane smaller"));
         }
         Ok(HopfCurve {
             x: branch.spots.iter().map(|spot| self.x.value(spot.at[0])).collect(),
@@ -130,6 +173,8 @@ trait Boundary {
     fn seeds(&self, kind: CurveKind) -> Vec<[Point; 2]>;
     /// What crosses at a zero; nothing where it is zero for another reason: two real eigenvalues of one size.
     fn crossing(&self, kind: CurveKind, at: Point) -> Option<Crossing>;
+    /// Whether something crosses at a point of a curve indeed, as far as rounding lets one see.
+    fn holds(&self, kind: CurveKind, at: Point) -> bool;
     /// All eigenvalues are to the left of the axis.
     fn stable(&self, at: Point) -> bool;
     /// How much of the row at a height is stable, where that is known without curves.

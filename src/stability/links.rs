@@ -1,7 +1,12 @@
 //! Parameters of the torsional gears that follow others.
 
 use super::Ring;
-use crate::{error::Result, model::torsional, parameter::Parameter, run::Fields};
+use crate::{
+    error::{Code, Error, Result},
+    model::torsional,
+    parameter::Parameter,
+    run::Fields,
+};
 
 /// Which links between parameters hold as others vary: none, unless asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,10 +22,32 @@ impl Links {
     pub(super) fn read(fields: &Fields) -> Result<Self> {
         let Some(linked) = fields.value("linked") else { return Ok(Self::default()) };
         let linked = Fields::of("linked", linked, &["relaxationLength", "treadWidthMomentConstant"])?;
+        let truth = |key: &str| Ok(linked.truth(key).map_err(|error: Error| error.within("linked"))?.unwrap_or(false));
         Ok(Self {
-            relaxation_length: linked.truth("relaxationLength")?.unwrap_or(false),
-            tread_width_moment_constant: linked.truth("treadWidthMomentConstant")?.unwrap_or(false),
+            relaxation_length: truth("relaxationLength")?,
+            tread_width_moment_constant: truth("treadWidthMomentConstant")?,
         })
+    }
+
+    /// Refuses a link of what varies itself to something else that varies.
+    ///
+    /// # Errors
+    /// The link, by its name.
+    pub(super) fn check(self, varying: &[&str]) -> Result<()> {
+        for (linked, name, leaders) in [
+            (self.relaxation_length, "relaxationLength", &["halfContactLength"][..]),
+            (
+                self.tread_width_moment_constant,
+                "treadWidthMomentConstant",
+                &["halfContactLength", "sideForceDerivative", "verticalForce"],
+            ),
+        ] {
+            if linked && varying.contains(&name) && leaders.iter().any(|leader| varying.contains(leader)) {
+                let allowed = "false where what is linked is itself an axis";
+                return Err(Error::new(Code::Unsuited, format!("linked.{name}"), "true", allowed));
+            }
+        }
+        Ok(())
     }
 
     /// Lets what is linked to the parameters that vary follow them; what varies itself follows nothing.

@@ -33,6 +33,7 @@ mod variation;
 use serde::Serialize;
 
 pub(crate) use self::{
+    bounded::Bounded,
     characteristic::characteristic_bounded,
     crossings::crossings,
     elimination::Triangle,

@@ -10,6 +10,10 @@ use crate::{
     run::{Fields, Value},
 };
 
+/// How far an axis may reach for curves, over the largest value of its slider, and how narrow it may be, over its values.
+const FARTHEST: f64 = 1e3;
+const NARROWEST: f64 = 1e-9;
+
 /// A model over a rectangle of two of its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
@@ -100,7 +104,9 @@ impl Plane {
             Ok((axis, fields))
         };
         let ((x, more_x), (y, more_y)) = (axis("x")?, axis("y")?);
-        Ok((Self::with_axes(run, x, y)?.linked(Links::read(fields)?), [more_x, more_y]))
+        let links = Links::read(fields)?;
+        links.check(&[x.parameter, y.parameter])?;
+        Ok((Self::with_axes(run, x, y)?.linked(links), [more_x, more_y]))
     }
 
     fn with_axes(run: Run, x: Axis, y: Axis) -> Result<Self> {
@@ -115,6 +121,32 @@ impl Plane {
     pub(super) fn part(&self, x: [f64; 2], y: [f64; 2]) -> Self {
         let part = |axis: Axis, [from, to]: [f64; 2]| Axis { from: axis.value(from), to: axis.value(to), ..axis };
         Self { x: part(self.x, x), y: part(self.y, y), ..self.clone() }
+    }
+
+    /// Refuses axes over which rounding would hide where a boundary is: that reach a thousand times as far as what is
+    /// sensible for their parameter, or are narrower than a part in 10⁹ of their values.
+    ///
+    /// # Errors
+    /// Such axes.
+    pub(super) fn resolved(&self) -> Result<()> {
+        for (place, axis) in [("x", &self.x), ("y", &self.y)] {
+            let Parameter { min, max, unit, .. } = self.table()[axis.index];
+            let most = FARTHEST * min.abs().max(max.abs());
+            for (field, value) in [("from", axis.from), ("to", axis.to)] {
+                if value.abs() > most {
+                    let allowed = format!("within ±{} {unit}: beyond, rounding hides the boundary", shown(most));
+                    return Err(
+                        Error::new(Code::TooLarge, field, shown(value), allowed.replace(" :", ":")).within(place)
+                    );
+                }
+            }
+            let least = NARROWEST * axis.from.abs().max(axis.to.abs());
+            if axis.to - axis.from < least {
+                let allowed = format!("more than {} beyond from: nearer, rounding hides the boundary", shown(least));
+                return Err(Error::new(Code::OutOfRange, "to", shown(axis.to), allowed).within(place));
+            }
+        }
+        Ok(())
     }
 
     fn table(&self) -> &'static [Parameter] {

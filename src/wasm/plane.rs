@@ -7,7 +7,7 @@ use super::{
     input,
     output::{self, maybe, put, series},
 };
-use crate::stability::{KINDS, MapSpec, Plane, StabilityMap};
+use crate::stability::{CurveSpec, KINDS, MapSpec, StabilityMap};
 
 /// Stability over a plane of two parameters, cell by cell.
 #[wasm_bindgen(js_name = stabilityMap, unchecked_return_type = "StabilityMap")]
@@ -18,8 +18,8 @@ pub fn stability_map(#[wasm_bindgen(unchecked_param_type = "MapSpec")] map: JsVa
 
 /// The curves in a plane of two parameters at which eigenvalues cross the imaginary axis.
 #[wasm_bindgen(js_name = hopfCurve, unchecked_return_type = "HopfCurve[]")]
-pub fn hopf_curve(#[wasm_bindgen(unchecked_param_type = "Plane")] plane: JsValue) -> Result<JsValue, JsValue> {
-    let curves = input::value(&plane, "plane").and_then(|value| Plane::read(&value)?.hopf_curves());
+pub fn hopf_curve(#[wasm_bindgen(unchecked_param_type = "CurveSpec")] plane: JsValue) -> Result<JsValue, JsValue> {
+    let curves = input::value(&plane, "plane").and_then(|value| CurveSpec::read(&value)?.made());
     let list = Array::new();
     for curve in curves.map_err(output::error)? {
         let object = Object::new();

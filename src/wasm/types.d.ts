@@ -170,6 +170,8 @@ export interface Plane {
   y: Axis;
   linked?: { relaxationLength?: boolean | null; treadWidthMomentConstant?: boolean | null } | null;
 }
+/** Curves in a plane; an axis may reach a thousand times as far as its slider. `accuracy`: how far straight lines between points may be from the curve, in parts of the plane, 1e-7 … 0.01; 1e-6. */
+export interface CurveSpec extends Plane { accuracy?: number | null }
 /** A map of `x.count` × `y.count` cells, 1e7 at most in all. */
 export interface MapSpec extends Plane {
   x: Axis & { count: number };

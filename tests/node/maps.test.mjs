@@ -74,6 +74,8 @@ test('the boundary is a curve that ends at the edge', () => {
     assert.ok(critical.some((v) => Math.abs(v / x[i] - 1) < 1e-5) || y[i] > 49.79, `${x[i]}, ${y[i]}`);
     assert.ok(frequency[i] > 50 && frequency[i] < 60);
   }
+  const coarse = shimmy.hopfCurve({ ...plane, accuracy: 1e-4 });
+  assert.ok(coarse.length === 1 && 5 * coarse[0].x.length < x.length);
   // A count of the axes may stay where it was for the map.
   assert.deepEqual(shimmy.hopfCurve({ ...plane, x: { ...plane.x, count: 3 } }), curves);
   const [island] = shimmy.hopfCurve({ model: 'torsional', parameters: { dampingConstant: 45 }, x: { ...plane.x, to: 300 }, y: { parameter: 'casterLength', from: -0.3, to: 0.5 } });
@@ -115,6 +117,13 @@ test('a bad plane is refused in words', () => {
   assert.equal(refused({ tile: { row: 1, rows: 300 } }).field, 'tile.rows');
   assert.equal(refused({ parameters: { velocity: -1 } }).field, 'velocity');
   assert.equal(refused({ x: undefined }).field, 'x');
+  assert.equal(refused({ x: { ...SPEEDS, count: 'many' } }).field, 'x.count');
+  assert.equal(refused({ y: { ...CASTERS, count: 1.5 } }).field, 'y.count');
+  const lengths = { x: { ...CASTERS, parameter: 'halfContactLength', from: 0.1 }, y: { ...CASTERS, parameter: 'relaxationLength', from: 0.1 } };
+  assert.equal(refused({ ...lengths, linked: { relaxationLength: true } }).field, 'linked.relaxationLength');
+  const { x, y } = MAP;
+  assert.equal(refusal(() => shimmy.hopfCurve({ model: 'torsional', x, y, accuracy: 0 })).field, 'accuracy');
+  assert.equal(refusal(() => shimmy.hopfCurve({ model: 'torsional', x: { ...x, to: 1e12 }, y })).field, 'x.to');
   const job = refusal(() => new shimmy.Job(/** @type {any} */ ('basins'), MAP));
   assert.deepEqual([job.code, job.field, job.allowed], ['unknown-name', 'kind', 'one of stabilityMap']);
   const going = new shimmy.Job('stabilityMap', MAP);

@@ -67,6 +67,6 @@ test('a bad range is refused in words', () => {
   assert.equal(refused({ parameter: 'velocity', from: 3, to: 2 }).code, 'not-ascending');
   assert.equal(refused({ parameter: 'velocity', from: 3 }).code, 'missing');
   assert.equal(refused({ parameter: 'velocity', from: 1, to: 2, step: 1 }).code, 'unknown-key');
-  assert.equal(refused({ parameter: 'velocity', from: 1, to: 2, linked: { relaxationLength: 1 } }).field, 'relaxationLength');
+  assert.equal(refused({ parameter: 'velocity', from: 1, to: 2, linked: { relaxationLength: 1 } }).field, 'linked.relaxationLength');
   assert.equal(refused(null).code, 'wrong-type');
 });

@@ -13,6 +13,8 @@ const FINEST: u32 = 26;
 const MOST_BOXES: usize = 2_000;
 /// Bernstein coefficients below this part of the largest are rounding.
 const ROUNDING: f64 = 1e-15;
+/// What a condition may be at a point of its curve, beside the size of its terms there.
+const ON_CURVE: f64 = 1e-7;
 /// ω² below this part of what it is the sum of is 0: a curve is known to 1e-10 of the plane.
 const NO_SWING: f64 = 1e-9;
 
@@ -81,6 +83,11 @@ impl Boundary for ClosedForm {
             }
             CurveKind::Divergence => Some(Crossing { frequency: 0.0, bounds: square > 0.0 }),
         }
+    }
+
+    fn holds(&self, kind: CurveKind, at: Point) -> bool {
+        let form = self.form(kind);
+        form.at(at).abs() <= ON_CURVE * form.size(at) + ROUNDING * form.size([1.0; 2])
     }
 
     fn stable(&self, at: Point) -> bool {

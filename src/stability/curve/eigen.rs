@@ -9,6 +9,8 @@ use crate::{error::Result, stability::Plane};
 const LINES: usize = 49;
 /// Half of the distance over which slopes are taken: rounding and curvature err by some 1e-10 each.
 const STEP: f64 = 1e-5;
+/// What a test function, which is of the size 1, may be at a point of its curve.
+const ON_CURVE: f64 = 1e-6;
 
 /// A model's eigenvalues over the unit square.
 pub(super) struct Eigenvalues<'a> {
@@ -96,6 +98,10 @@ impl Boundary for Eigenvalues<'_> {
             CurveKind::Hopf if values[i].im == 0.0 => None,
             _ => Some(Crossing { frequency: values[i].im.abs() / std::f64::consts::TAU, bounds }),
         }
+    }
+
+    fn holds(&self, kind: CurveKind, at: Point) -> bool {
+        self.value(kind, at).abs() < ON_CURVE
     }
 
     fn stable(&self, at: Point) -> bool {

@@ -124,6 +124,10 @@ mod tests {
             (self.crossing)(at)
         }
 
+        fn holds(&self, _: CurveKind, at: Point) -> bool {
+            (self.test)(at).0.abs() < 1e-9
+        }
+
         fn stable(&self, at: Point) -> bool {
             (self.test)(at).0 > 0.0
         }

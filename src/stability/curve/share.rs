@@ -143,6 +143,10 @@ mod tests {
         fn crossing(&self, _: CurveKind, _: Point) -> Option<Crossing> {
             None
         }
+        fn holds(&self, _: CurveKind, _: Point) -> bool {
+            true
+        }
+
         fn stable(&self, [_, y]: Point) -> bool {
             y < 0.4
         }
