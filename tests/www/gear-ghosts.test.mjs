@@ -91,3 +91,21 @@ test('a label for which there is no room is left out, its ghost is not', () => {
   assert.ok(!record(full).texts.some(({ text }) => text === label));
   assert.equal(dashed(full).length, 2);
 });
+
+for (const layout of /** @type {const} */ (['desktop', 'phone'])) {
+  test(`a mode is dashed over the wheel in the color of ψ, with its legend, on a ${layout}`, () => {
+    const other = sceneOf({ psi: -0.12, y: -0.02, swing: 0.1 }, { layout });
+    const scene = { ...sceneOf({ psi: 0.15, y: 0.03, swing: 0.1 }, { layout }), ghosts: [ghostOf(other, { isMode: true, label: 'mode 53.8 Hz' })] };
+    const { marks, texts } = record(scene);
+    assert.equal(dashed(scene).length, 0, 'not as a run that was pinned');
+    const traces = (/** @type {Scene} */ one) => {
+      const { outline } = grabTarget(sizes[layout], one);
+      return (/** @type {typeof marks[number]} */ { paths }) => outline.every((point) => paths[0]?.some((at) => apart(at, point) < 1e-6));
+    };
+    const mode = marks.filter(traces(other)).findLast(({ kind, dash }) => kind === 'stroke' && dash.length > 0);
+    assert.deepEqual([mode?.color, Number(mode?.lineWidth) > 2.2], [theme.psi, true]);
+    const wheel = marks.findIndex(traces(scene));
+    assert.ok(wheel >= 0 && marks.indexOf(/** @type {typeof marks[number]} */ (mode)) > wheel, 'over the wheel');
+    assert.ok(texts.some(({ text, halo }) => text === 'mode 53.8 Hz' && !halo));
+  });
+}

@@ -222,7 +222,7 @@ export class GearView extends LitElement {
     if (!ghost || !voice) return null;
     const { re, im } = ghost.mode.eigenvalue;
     const label = im > 0 ? voice.say('modes.ghost', { frequency: voice.number(im / (2 * Math.PI), 1) }) : voice.say('modes.ghost.real', { rate: voice.number(re, 1) });
-    return { ...ghost, label: scene.linear.isGapped ? voice.say('stability.linear', { what: label }) : label };
+    return { ...ghost, isMode: true, label: scene.linear.isGapped ? voice.say('stability.linear', { what: label }) : label };
   }
 
   /** Lays the wheel for the keyboard over the drawn one, and the magnification over the foot of the top view. */

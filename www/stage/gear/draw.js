@@ -12,7 +12,7 @@ import { restingLine, traceBehind } from './contact-line.js';
 import { bladesOf, drawPlaneFan, drawTrackFan, drawWheelFan, swingOf } from './fan.js';
 import { forceArrows, drawForces } from './forces.js';
 import { drawFork, drawSteeringAxis } from './fork.js';
-import { drawGhosts } from './ghost.js';
+import { drawGhosts, drawModeGhost } from './ghost.js';
 import { drawGround } from './ground.js';
 import { drawHand } from './hand.js';
 import { drawHead, drawLeader } from './head.js';
@@ -97,6 +97,7 @@ function drawTop(desk) {
     drawHand(ctx, sheet, scene, pose, shape, theme);
     drawTire(ctx, sheet, scene, pose, line, shape, theme);
     drawFork(ctx, sheet, pose, theme);
+    drawModeGhost(ctx, sheet, scene, trackSeen(desk), theme);
     drawScale(ctx, sheet, scene, theme, words);
     drawSweep(ctx, sheet, 0, pose.angle, theme);
     drawPointer(ctx, sheet, pose, theme);

@@ -1,5 +1,6 @@
 /**
- * Ghosts: other runs in lockstep, as dashed outlines with dashed tracks, under the wheel itself.
+ * Ghosts: other runs in lockstep, as dashed outlines with dashed tracks, under the wheel itself; a mode in
+ * the color of ψ over it, or the wheel would hide most of it.
  *
  * @module
  */
@@ -28,6 +29,9 @@ export const ghostDash = (sheet, index) => ghostDashes[index % ghostDashes.lengt
 const sceneOfGhost = (scene, { state, parameters, track, roll = scene.roll }) =>
   ({ ...scene, state, parameters, track, roll });
 
+/** The color of a ghost, and how wide its lines are [px]. @param {Sheet} sheet @param {Ghost} ghost @param {Theme} theme */
+export const ghostStroke = (sheet, { isMode }, theme) => ({ color: isMode ? theme.psi : theme.ghost, width: (isMode ? 2.6 : 1.8) * sheet.line });
+
 /**
  * @param {CanvasRenderingContext2D} ctx
  * @param {Sheet} sheet
@@ -40,6 +44,7 @@ export function drawGhosts(ctx, sheet, scene, length, theme) {
   ctx.strokeStyle = theme.ghost;
   ctx.fillStyle = translucent(theme.ghost, 0.08);
   scene.ghosts?.forEach((ghost, index) => {
+    if (ghost.isMode) return;
     const own = sceneOfGhost(scene, ghost);
     const pose = poseNow(own);
     const trace = traceBehind(own, pose, length);
@@ -57,4 +62,38 @@ export function drawGhosts(ctx, sheet, scene, length, theme) {
     });
   });
   ctx.setLineDash([]);
+}
+
+/**
+ * A mode's outline and track, on a pale edge so that they stand off the tire as well as the ground.
+ *
+ * @param {CanvasRenderingContext2D} ctx
+ * @param {Sheet} sheet
+ * @param {Scene} scene
+ * @param {number} length how much of the track is seen [m]
+ * @param {Theme} theme
+ */
+export function drawModeGhost(ctx, sheet, scene, length, theme) {
+  scene.ghosts?.forEach((ghost, index) => {
+    if (!ghost.isMode) return;
+    const own = sceneOfGhost(scene, ghost);
+    const pose = poseNow(own);
+    const trace = traceBehind(own, pose, length);
+    const shape = tireShape(pose, contactLine(trace, pose));
+    const { color, width } = ghostStroke(sheet, ghost, theme);
+    ctx.lineJoin = 'round';
+    for (const [stroke, wide, dash] of /** @type {const} */ ([[translucent(theme.ground, 0.8), width + 2.4 * sheet.line, []], [color, width, ghostDash(sheet, index)]])) {
+      ctx.strokeStyle = stroke;
+      ctx.lineWidth = wide;
+      ctx.setLineDash(dash);
+      ctx.beginPath();
+      trace.x.forEach((x, i) => ctx.lineTo(sheet.axis.x + sheet.scale * x, sheet.axis.y - sheet.scale * trace.y[i]));
+      ctx.stroke();
+      inWheelFrame(ctx, sheet, pose, () => {
+        traceTire(ctx, sheet, pose, shape);
+        ctx.stroke();
+      });
+    }
+    ctx.setLineDash([]);
+  });
 }

@@ -63,6 +63,7 @@
  * @property {Track} track
  * @property {number} [roll] distance that it has rolled [m], where that is not the scene's
  * @property {string} [label] what sets it apart, such as "c = 60"
+ * @property {boolean} [isMode] whether it is a mode of the gear, which is what one looks at just then
  */
 
 /**

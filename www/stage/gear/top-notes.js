@@ -8,7 +8,7 @@
 import { formatNumber } from '../../words/number.js';
 import { drawArrow } from './arrow.js';
 import { LEADING, putLabel, fill } from './desk.js';
-import { ghostDash } from './ghost.js';
+import { ghostDash, ghostStroke } from './ghost.js';
 import { protractorBox } from './protractor.js';
 import { plain, strong, symbol, widthOf } from './text.js';
 
@@ -150,7 +150,8 @@ function writeTrack(desk) {
 
 /**
  * Each ghost's dashes and what sets it apart, as far as there is room left of the wheel and above
- * the track.
+ * the track. A mode's may reach over the wheel, as far as the steering head: without it nobody knows
+ * what swings there.
  *
  * @param {Desk} desk
  */
@@ -164,18 +165,21 @@ function writeGhosts(desk) {
   const style = { size, color: theme.ink2, halo: theme.ground, farthest: 0, stays: true };
   let x = MARGIN;
   let y = sheet.band.top + (sheet.roomy ? TRACK_NOTE_AT + height + 2 : 6);
-  scene.ghosts?.forEach(({ label }, index) => {
+  scene.ghosts?.forEach((ghost, index) => {
+    const { label, isMode } = ghost;
     if (!label) return;
-    const runs = [plain(label)];
+    const runs = [isMode ? strong(label) : plain(label)];
     const width = SAMPLE + 6 + widthOf(ctx, runs, size, theme);
-    if (x > MARGIN && x + width > end) {
+    const most = isMode ? sheet.head.x - sheet.head.radius - 10 : end;
+    if (x > MARGIN && x + width > most) {
       x = MARGIN;
       y += height;
     }
-    if (x + width > end || y + height > foot) return;
-    if (!putLabel(desk, runs, style, () => [{ x: x + SAMPLE + 6, y }])) return;
-    ctx.strokeStyle = theme.ghost;
-    ctx.lineWidth = 1.8 * sheet.line;
+    if (x + width > most || y + height > foot) return;
+    if (!putLabel(desk, runs, isMode ? { ...style, color: theme.psi } : style, () => [{ x: x + SAMPLE + 6, y }])) return;
+    const { color, width: wide } = ghostStroke(sheet, ghost, theme);
+    ctx.strokeStyle = color;
+    ctx.lineWidth = wide;
     ctx.setLineDash(ghostDash(sheet, index));
     ctx.beginPath();
     ctx.moveTo(x, y + height / 2);
