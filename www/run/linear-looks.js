@@ -16,6 +16,9 @@
 
 import { linearCases, linearHistories } from './linear-histories.js';
 
+/** A curve is drawn to a fraction of a pixel, as a share of the plane. */
+const drawn = 1e-4;
+
 /** A swing so small that neither tire nor gap can limit it, however long it grows here, in rad: it goes as linear theory says. */
 const tiny = 1e-12;
 
@@ -42,7 +45,7 @@ export function linearLooks(engine, { model, parameters }, start = () => ({})) {
      */
     map: (x, y, quantities, values = {}) => engine.stabilityMap({ model, parameters: { ...parameters, ...values }, x, y, quantities }),
     /** Where in a plane stability ends. @param {Range} x @param {Range} y @param {Readonly<Record<string, number>>} [values] that are others @returns {BoundaryCurve[]} */
-    boundary: (x, y, values = {}) => engine.hopfCurve({ model, parameters: { ...parameters, ...values }, x, y }),
+    boundary: (x, y, values = {}) => engine.hopfCurve({ model, parameters: { ...parameters, ...values }, x, y, accuracy: drawn }),
     /** What the gear does at each eigenvalue, in their order. */
     modes: () => engine.eigenmodes({ model, parameters }),
     routhArray: () => engine.routhArray({ model, parameters }),

@@ -46,7 +46,7 @@ export class PlaneMap {
     this.#last = { linear, plane };
     try {
       const map = mapOf(linear, plane, coarse);
-      this.#looked = { ...map, boundary: linear.boundary(x, y), limits: this.#limitsOf(map.map, [object, x, y, coloring], scales), isCoarse: true };
+      this.#looked = { ...map, boundary: boundaryOf(linear, plane), limits: this.#limitsOf(map.map, [object, x, y, coloring], scales), isCoarse: true };
     } catch {
       // Values so wild that no number comes of them: nothing is said of the plane.
       this.#looked = null;
@@ -73,6 +73,15 @@ export class PlaneMap {
 function mapOf(linear, { x, y, coloring }, { columns, rows }) {
   const { stable, stableArea, growthRate, frequency, kind } = linear.map({ ...x, count: columns }, { ...y, count: rows }, quantities[coloring]);
   return { map: { columns, rows, stable, growthRate: growthRate ?? null, frequency: frequency ?? null, kind: kind ?? null }, share: stableArea };
+}
+
+/** None where the plane is so wide that it would hide its boundary: the cells still tell. @param {LinearLooks} linear @param {Plane} plane */
+function boundaryOf(linear, { x, y }) {
+  try {
+    return linear.boundary(x, y);
+  } catch {
+    return [];
+  }
 }
 
 /** @param {StabilityMap} map @returns {Limits} */
