@@ -134,6 +134,30 @@ test('the tips lie where the phasors say, counter-clockwise up, and the spiral g
   }
 });
 
+test('words at the tips keep clear of the spiral and of the arms', () => {
+  for (const values of [shimmying, { velocity: 80, dampingConstant: 10 }, { velocity: 60, dampingConstant: 80 }]) for (const [width, height] of [[360, 320], [320, 280]]) {
+    const [mode] = modesOf(values);
+    const { re, im } = mode.eigenvalue;
+    const { context, named } = recordingContext();
+    drawPhasors(context, { width, height }, { arms: armsOf(mode, usual, english), growth: re / im, swings: true, readings: [] }, theme);
+    const drawn = named('lineTo').filter(({ style }) => style.lineWidth === 1.8).map(({ args }) => args);
+    const phases = named('fillText').filter(({ args: [text] }) => /^(leads|lags) /.test(text));
+    assert.equal(phases.length, 2);
+    for (const { args: [text, left, baseline] } of phases) {
+      const crossed = drawn.filter(([x, y]) => x > left && x < left + text.length * theme.size * 0.5 && y < baseline && y > baseline - theme.size);
+      assert.deepEqual(crossed, [], `${text} at c = ${values.dampingConstant}, ${width} wide`);
+    }
+  }
+});
+
+test('a mode without a swing is titled without a cycle, in both languages', () => {
+  for (const language of /** @type {const} */ (['en', 'tr'])) for (const trend of /** @type {const} */ (['grows', 'lasts', 'falls'])) {
+    const voice = voiceOf(language);
+    assert.match(voice.say(`modes.energy.${trend}.title`), /cycle|çevrim/);
+    assert.doesNotMatch(voice.say(`modes.energy.${trend}.real`), /cycle|çevrim/);
+  }
+});
+
 test('without a swing each state has a row of its own', () => {
   const mode = modesOf(shimmying)[2];
   const { context, named } = recordingContext();

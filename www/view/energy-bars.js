@@ -17,7 +17,7 @@ const small = 0.2;
  * `veiled` hides all of it until it has been guessed.
  */
 export class EnergyBars extends LitElement {
-  static properties = { energy: { attribute: false }, voice: { attribute: false }, veiled: { type: Boolean }, areRates: { type: Boolean } };
+  static properties = { energy: { attribute: false }, voice: { attribute: false }, veiled: { type: Boolean }, areRates: { type: Boolean }, isReal: { type: Boolean } };
 
   constructor() {
     super();
@@ -25,6 +25,7 @@ export class EnergyBars extends LitElement {
     /** @type {Voice | null} */ this.voice = null;
     this.veiled = false;
     this.areRates = false;
+    /** Of a mode without a swing, which has no cycle. */ this.isReal = false;
   }
 
   createRenderRoot() {
@@ -42,7 +43,7 @@ export class EnergyBars extends LitElement {
     const { trend, fed, taken, rest, whole } = balanceOf(this.energy);
     if (trend === 'rests') return html`<h2>${voice.say('energy.name')}</h2><p class="sentence">${voice.say('energy.rests')}</p>`;
     const write = this.areRates ? rateWriter(whole, voice) : energyWriter(whole, voice);
-    const title = voice.say(this.areRates ? `modes.energy.${trend}.title` : `energy.${trend}.title`);
+    const title = voice.say(this.areRates ? `modes.energy.${trend}.${this.isReal ? 'real' : 'title'}` : `energy.${trend}.title`);
     const sentence = voice.say(this.areRates ? `modes.energy.${trend}` : `energy.${trend}`, { value: write(rest) });
     const bar = (/** @type {Part} */ { element, value }, isNamed = true) => html`
       <span class="part ${element}" style=${styleMap({ flexGrow: String(value / whole) })}>

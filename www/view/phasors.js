@@ -17,7 +17,10 @@ import { drawLabel, textFont, widthOfLabel } from './text.js';
  */
 
 const circle = 2 * Math.PI;
-const spiralSteps = 120;
+const [spiralSteps, armSteps] = [120, 20];
+/** Where words may stand off a tip: turned from its direction so far, in rad, and so many letters further out. */
+const turns = [0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.2, -2.2];
+const steps = [0, 1, 2, 3];
 /** Dots of what falls or grows without a swing, and the logarithm of their ratio. */
 const [dots, dotRatio] = [6, 0.3];
 
@@ -51,7 +54,11 @@ export function drawPhasors(context, { width, height }, { arms, growth, swings, 
     if (!swings) drawRow(context, from, room, arm, scale, growth, theme);
     drawArm(context, from, arm, scale, theme);
   });
-  arms.forEach((arm, i) => nameArm(context, { x: middle.x, y: middle.y + (i - (arms.length - 1) / 2) * rows }, arm, scale, frame, theme));
+  const lines = swings ? [...spiralPoints(middle, scale, growth), ...arms.flatMap((arm) => alongArm(middle, arm, scale))] : [];
+  arms.forEach((arm, i) => {
+    const from = { x: middle.x, y: middle.y + (i - (arms.length - 1) / 2) * rows };
+    lines.push(...nameArm(context, from, arm, scale, frame, lines, theme));
+  });
   writeCornerReading(context, readings, frame, frame.right - frame.left, theme);
 }
 
@@ -84,13 +91,23 @@ function drawSpiral(context, { x, y }, scale, growth, theme) {
   context.lineWidth = 1.8 * theme.line;
   context.setLineDash(growth > 0 ? [6 * theme.line, 4 * theme.line] : []);
   context.beginPath();
-  for (let i = 0; i <= spiralSteps; i++) {
-    const angle = (circle * i) / spiralSteps;
-    const length = scale * Math.exp(growth * angle);
-    context[i === 0 ? 'moveTo' : 'lineTo'](x + length * Math.cos(angle), y - length * Math.sin(angle));
-  }
+  spiralPoints({ x, y }, scale, growth).forEach((point, i) => context[i === 0 ? 'moveTo' : 'lineTo'](point.x, point.y));
   context.stroke();
   context.setLineDash([]);
+}
+
+/** @param {{ x: number, y: number }} middle @param {number} scale @param {number} growth */
+function spiralPoints({ x, y }, scale, growth) {
+  return Array.from({ length: spiralSteps + 1 }, (_, i) => {
+    const angle = (circle * i) / spiralSteps;
+    const length = scale * Math.exp(growth * angle);
+    return { x: x + length * Math.cos(angle), y: y - length * Math.sin(angle) };
+  });
+}
+
+/** Points along an arm, as close as words are high. @param {{ x: number, y: number }} from @param {Arm} arm @param {number} scale */
+function alongArm({ x, y }, { re, im }, scale) {
+  return Array.from({ length: armSteps + 1 }, (_, i) => ({ x: x + (re * scale * i) / armSteps, y: y - (im * scale * i) / armSteps }));
 }
 
 /** A line without a swing: where the tip is after equal times. @param {CanvasRenderingContext2D} context @param {{ x: number, y: number }} from @param {number} room @param {Arm} arm @param {number} scale @param {number} growth @param {Theme} theme */
@@ -136,20 +153,33 @@ function drawArm(context, from, { re, im, color, form }, scale, theme) {
   context.stroke();
 }
 
-/** What it is, beyond its tip, with its phase below. @param {CanvasRenderingContext2D} context @param {{ x: number, y: number }} from @param {Arm} arm @param {number} scale @param {{ left: number, right: number, top: number, bottom: number }} frame @param {Theme} theme */
-function nameArm(context, from, { re, im, color, name, phase }, scale, frame, theme) {
-  const length = Math.hypot(re, im) || 1;
-  const [across, up] = [re / length, im / length];
-  const beyond = length * scale + theme.size * 0.8;
+/**
+ * What it is, at its tip, with its phase below: where it crosses least of the lines, and as near as that goes.
+ * @param {CanvasRenderingContext2D} context @param {{ x: number, y: number }} from @param {Arm} arm @param {number} scale
+ * @param {{ left: number, right: number, top: number, bottom: number }} frame @param {readonly { x: number, y: number }[]} lines @param {Theme} theme
+ * @returns {{ x: number, y: number }[]} points of what is now written, which others keep clear of
+ */
+function nameArm(context, from, { re, im, color, name, phase }, scale, frame, lines, theme) {
+  const direction = Math.atan2(im, re);
+  const tip = { x: from.x + re * scale, y: from.y - im * scale };
   const [wide, high] = [Math.max(widthOfLabel(context, name, theme, 600), phase ? widthOfLabel(context, [{ text: phase }], theme) : 0), theme.size * (phase ? 2.5 : 1.25)];
   // The words stand off the tip with the side or corner that is nearest to it.
   const shift = (/** @type {number} */ share) => Math.min(1, Math.max(-1, 1.6 * share)) / 2;
-  const x = Math.min(Math.max(from.x + across * beyond + shift(across) * wide, frame.left + wide / 2), frame.right - wide / 2);
-  const middle = Math.min(Math.max(from.y - up * beyond - shift(up) * high, frame.top + high / 2), frame.bottom - high / 2);
+  const places = steps.flatMap((step) => turns.map((turn) => {
+    const [across, up] = [Math.cos(direction + turn), Math.sin(direction + turn)];
+    const off = theme.size * (0.8 + step);
+    const x = Math.min(Math.max(tip.x + across * off + shift(across) * wide, frame.left + wide / 2), frame.right - wide / 2);
+    const y = Math.min(Math.max(tip.y - up * off - shift(up) * high, frame.top + high / 2), frame.bottom - high / 2);
+    const crossed = lines.filter((point) => Math.abs(point.x - x) < wide / 2 + 3 && Math.abs(point.y - y) < high / 2 + 3).length;
+    return { x, y, cost: 4 * crossed + 3 * step + Math.abs(turn) };
+  }));
+  const { x, y: middle } = places.reduce((best, one) => (one.cost < best.cost ? one : best));
   const y = middle - high / 2 + theme.size;
   context.fillStyle = theme[color];
   drawLabel(context, name, x, y, theme, { align: 'center', weight: 600, halo: theme.surface });
-  if (!phase) return;
-  context.font = textFont(theme);
-  drawLabel(context, [{ text: phase }], x, y + theme.size * 1.25, theme, { align: 'center', halo: theme.surface });
+  if (phase) {
+    context.font = textFont(theme);
+    drawLabel(context, [{ text: phase }], x, y + theme.size * 1.25, theme, { align: 'center', halo: theme.surface });
+  }
+  return [-0.5, -0.25, 0, 0.25, 0.5].flatMap((share) => [-0.5, 0, 0.5].map((part) => ({ x: x + share * wide, y: middle + part * high })));
 }

@@ -45,7 +45,7 @@ export class Modes extends Panel {
         </fieldset>
         <div class="phasors"><shimmy-canvas .label=${voice.say('modes.phasors', { states })} .paint=${this.#paint}></shimmy-canvas></div>
         <dl class="mode-facts">${facts(mode, voice)}</dl>
-        <shimmy-energy-bars areRates .voice=${voice} .energy=${mode.energyFlow}></shimmy-energy-bars>
+        <shimmy-energy-bars areRates .isReal=${mode.eigenvalue.im === 0} .voice=${voice} .energy=${mode.energyFlow}></shimmy-energy-bars>
       </div>`;
   }
 
