@@ -153,7 +153,7 @@ test('planes side by side leave as a picture with their shares', async () => {
 test('the sheet offers the pictures that are on the screen, and what came of the last wish does not stand there again', async () => {
   for (const [view, wanted, options] of /** @type {const} */ ([
     ['modes', ['Modes'], {}], ['routh', [], {}], ['beside', ['Stability planes side by side'], {}], ['histories', ['Linear, nonlinear'], {}],
-    ['plane', ['Stability plane'], { viewport: { width: 1024, height: 768 } }],
+    ['plane', ['Stability plane', 'Roots'], { viewport: { width: 1024, height: 768 } }],
   ])) {
     const { page, leave } = await site.open(start + view, { ...options, reducedMotion: 'reduce', acceptDownloads: true });
     await page.locator('.stability').waitFor();

@@ -37,7 +37,11 @@ async function mount(language) {
   const voice = voiceOf(language);
   document.documentElement.lang = language;
   const sheet = /** @type {OutSheet} */ (document.createElement('shimmy-out-sheet'));
-  const views = [{ name: 'gear', title: voice.say('stage.name'), hasLines: true }, { name: 'map', title: voice.say('lens.stability'), hasLines: false }];
+  const views = [
+    { name: 'gear', title: voice.say('stage.name'), element: '.gear shimmy-canvas', hasLines: true },
+    { name: 'map', title: voice.say('lens.stability'), element: '#lens-panel shimmy-canvas', hasLines: false },
+    { name: 'hidden', title: 'what is not on the screen', element: '#no-such-element', hasLines: true },
+  ];
   Object.assign(sheet, { voice, views, isReady: true, link: 'https://example.org/#shimmy=1' });
   /** @type {unknown[]} */
   const heard = (/** @type {any} */ (window).heard = []);

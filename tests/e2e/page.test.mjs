@@ -189,7 +189,7 @@ test('an absurd value stops the run, not the page, and is undone', async () => {
   await untilVerdict(page, 'It shimmies');
   await type(page, 'casterLength', '500000');
   await page.locator('.note', { hasText: 'with Caster = 500\u202f000 m it leaves' }).waitFor();
-  assert.match(await knob(page, 'casterLength').refusal.innerText(), /^Far beyond the slider/);
+  assert.match(await knob(page, 'casterLength').refusal.innerText(), /^Set, though far beyond the slider/);
   assert.equal(await page.locator('.verdict-message').innerText(), 'The run stopped');
   await page.locator('.note').getByRole('button', { name: 'Undo' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
