@@ -7,7 +7,7 @@ import { sorted } from '../../www/lens/stability/figures-table.js';
 import { PlanesBeside } from '../../www/lens/stability/planes-beside.js';
 import { csvOf } from '../../www/out/csv.js';
 import { tableCsv } from '../../www/out/table-csv.js';
-import { drawPlanesBeside, layBeside } from '../../www/view/planes-beside.js';
+import { drawPlanesBeside, layBeside, layGrid } from '../../www/view/planes-beside.js';
 import { linearLooks } from '../../www/run/linear-looks.js';
 import { parseList } from '../../www/words/list.js';
 import { cubicOf, usual } from './linear-gear.mjs';
@@ -123,11 +123,11 @@ test('each plane is drawn with its name, its share and its boundary; the gear st
   const boundary = [{ x: Float64Array.of(20, 100), y: Float64Array.of(0, 50), frequency: Float64Array.of(50, 50), kind: /** @type {const} */ ('hopf'), closed: false, bounds: true }];
   const plane = { image: null, hatch: Float32Array.of(1, 9, 9, 1), boundary, isOld: false };
   drawPlanesBeside(context, { width: 604, height: layout.height }, {
-    ...sigmas, ranges: ['a text far too long for any picture '.repeat(9), 'v 0.5 … 100 m/s'], point: { x: 50.25, y: 25 },
+    ...sigmas, ends: { x: ['0.5', '100'], y: ['0', '99'] }, ranges: ['a text far too long for any picture '.repeat(9), 'v 0.5 … 100 m/s'], point: { x: 50.25, y: 25 },
     planes: [{ ...plane, label: [{ symbol: 'σ' }, { text: ' 0.02 m' }], share: '90.39 %', isNow: false }, { ...plane, label: [{ symbol: 'σ' }, { text: ' 0.3 m' }], share: '68.31 %', isNow: true }],
   }, layout, theme);
   const words = written(named('fillText'));
-  for (const word of ['v 0.5 … 100 m/s', ' 0.02 m', '90.39 %', ' 0.3 m', '68.31 %']) assert.ok(words.includes(word), word);
+  for (const word of ['v 0.5 … 100 m/s', ' 0.02 m', '90.39 %', ' 0.3 m', '68.31 %', '0.5', '100', '0', '99']) assert.ok(words.includes(word), word);
   const [, plot] = layout.plots;
   const ring = named('arc').at(-1);
   assert.ok(Math.abs(ring?.args[0] - (plot.left + plot.right) / 2) < 0.01 && Math.abs(ring?.args[1] - (plot.bottom - (plot.bottom - plot.top) / 4)) < 0.01);
@@ -135,6 +135,30 @@ test('each plane is drawn with its name, its share and its boundary; the gear st
   const starts = named('moveTo').filter(({ style }) => style.strokeStyle === theme.unstable && style.lineWidth === 2.5);
   assert.equal(starts.length, 2);
   assert.ok(Math.abs(starts[0].args[0] - (layout.plots[0].left + (19.5 / 99.5) * (layout.plots[0].right - layout.plots[0].left))) < 0.01);
+});
+
+test('two lists lie as rows and columns with their values at the heads, to be scrolled where there is no room', () => {
+  for (const [width, rows, columns] of [[358, 4, 3], [358, 4, 7], [604, 4, 7], [1200, 4, 7]]) {
+    const layout = layGrid(width, { rows, columns }, theme, { left: 60, top: 130 });
+    assert.ok(layout.boxes.every(({ left, right, bottom }) => left > 0 && right < layout.width && bottom < layout.height));
+    layout.boxes.forEach((box, i) => {
+      assert.equal(box.left, layout.boxes[i % columns].left, 'a column');
+      assert.equal(box.top, layout.boxes[i - (i % columns)].top, 'a row');
+    });
+    assert.equal(new Set(layout.boxes.map(({ left, top }) => `${left} ${top}`)).size, rows * columns);
+    assert.ok(layout.plots[0].right - layout.plots[0].left >= 130, 'as wide as its head');
+  }
+  const { context, named } = recordingContext();
+  const layout = layGrid(604, { rows: 2, columns: 2 }, theme, { left: 60, top: 60 });
+  const plane = { image: null, hatch: null, boundary: [], label: [], isOld: false, isNow: false };
+  drawPlanesBeside(context, { width: layout.width, height: layout.height }, {
+    ...sigmas, ends: { x: ['0.5', '100'], y: ['0', '99'] }, ranges: ['v, c'], point: { x: 50, y: 25 },
+    planes: ['10 %', '20 %', '30 %', '40 %'].map((share) => ({ ...plane, share })),
+    heads: { left: [[{ text: 'e 0.09' }], [{ text: 'e 0.11' }]], top: [[{ text: 's 0.02' }], [{ text: 's 0.07' }]] },
+  }, layout, theme);
+  const at = (/** @type {string} */ word) => /** @type {[string, number, number]} */ (named('fillText').find(({ args }) => args[0] === word)?.args);
+  assert.ok(at('e 0.09')[1] < layout.plots[0].left && at('e 0.11')[2] > layout.plots[2].top && at('e 0.11')[2] < layout.plots[2].bottom);
+  assert.ok(at('s 0.07')[1] > layout.boxes[1].left && at('s 0.07')[2] <= layout.boxes[1].top);
 });
 
 test('a table is sorted upward and downward, what is not known last, and as it was', () => {

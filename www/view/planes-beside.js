@@ -16,12 +16,18 @@ import { drawLabel, widthOfLabel } from './text.js';
  *   image: CanvasImageSource | null, hatch: Float32Array | null, boundary: readonly BoundaryCurve[], label: Run[], share: string,
  *   isOld: boolean, isNow: boolean,
  * }} PlaneShown `image`: a pixel a cell; `isNow`: its values are the gear's; `isOld`: of values that are no more
- * @typedef {{ x: Range, y: Range, ranges: string[], planes: readonly PlaneShown[], point: { x: number, y: number } }} Shown
- *   `ranges`: in words, in fewer and fewer of them
+ * @typedef {{ x: Range, y: Range, ranges: string[], planes: readonly PlaneShown[], point: { x: number, y: number }, heads?: Heads | null, ends: { x: string[], y: string[] } }} Shown
+ *   `ranges`: in words, in fewer and fewer of them; `ends`: of the axes, at the first plane
+ * @typedef {{ left: Run[][], top: Run[][] }} Heads of the rows and columns of a grid, where two lists are compared
+ */
+
+/**
+ * @typedef {{ width: number, height: number, top: number, boxes: Box[], plots: Box[], columns?: number }} Layout
+ *   `top`: where the ranges stand; `plots`: without the words; `columns`: of a grid
  */
 
 /** Narrower than this a plane is not read, in widths of small type; and its height by its width. */
-const [narrowest, shape] = [10, 0.72];
+const [narrowest, narrowestOfGrid, shape] = [10, 6.5, 0.72];
 const gap = 10;
 
 /**
@@ -30,10 +36,10 @@ const gap = 10;
  * @param {number} count
  * @param {Theme} theme
  * @param {{ isTall: boolean }} words whether they take two lines
- * @returns {{ height: number, top: number, boxes: Box[], plots: Box[] }} `top`: where the ranges stand; `plots`: without the words
+ * @returns {Layout}
  */
 export function layBeside(width, count, theme, { isTall }) {
-  const edge = theme.size * 1.6;
+  const edge = theme.size * 2.4;
   const inner = width - 2 * edge;
   const most = Math.max(1, Math.floor((inner + gap) / (theme.size * narrowest + gap)));
   // Rows as equal as can be.
@@ -47,17 +53,38 @@ export function layBeside(width, count, theme, { isTall }) {
     const [left, upper] = [edge + column * (wide + gap), top + theme.size * 0.4 + row * (tall + gap)];
     return { left, right: left + wide, top: upper, bottom: upper + tall };
   });
-  return { height: (boxes[count - 1]?.bottom ?? top) + gap, top, boxes, plots: boxes.map((box) => ({ ...box, top: box.top + words })) };
+  return { width, height: (boxes[count - 1]?.bottom ?? top) + gap + theme.size, top, boxes, plots: boxes.map((box) => ({ ...box, top: box.top + words })) };
+}
+
+/**
+ * The planes of two lists as rows and columns, with room for their heads: as wide as there is room, or wider, to be scrolled.
+ * @param {number} room
+ * @param {{ rows: number, columns: number }} grid
+ * @param {Theme} theme
+ * @param {{ left: number, top: number }} heads how wide they are
+ * @returns {Layout}
+ */
+export function layGrid(room, { rows, columns }, theme, heads) {
+  const [left, edge, words] = [heads.left + theme.size, theme.size * 1.6, theme.size * 1.7];
+  const wide = Math.max(theme.size * narrowestOfGrid, heads.top, Math.floor((room - left - edge - (columns - 1) * gap) / columns));
+  const tall = words + Math.round(shape * wide);
+  const top = theme.size * 1.8;
+  const boxes = Array.from({ length: rows * columns }, (_, i) => {
+    const [column, row] = [i % columns, Math.floor(i / columns)];
+    const [x, y] = [left + column * (wide + gap), top + theme.size * 1.6 + row * (tall + gap)];
+    return { left: x, right: x + wide, top: y, bottom: y + tall };
+  });
+  return { width: left + columns * (wide + gap) - gap + edge, height: boxes[boxes.length - 1].bottom + gap + theme.size, top, boxes, plots: boxes.map((box) => ({ ...box, top: box.top + words })), columns };
 }
 
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {import('./canvas.js').Size} size
  * @param {Shown} shown
- * @param {ReturnType<typeof layBeside>} layout
+ * @param {Layout} layout
  * @param {Theme} theme
  */
-export function drawPlanesBeside(context, { width }, { x, y, ranges, planes, point }, { top, boxes, plots }, theme) {
+export function drawPlanesBeside(context, { width }, { x, y, ranges, planes, point, heads, ends }, { top, boxes, plots, columns }, theme) {
   context.fillStyle = theme.ink2;
   const room = width - 3.2 * theme.size;
   const words = ranges.find((text) => widthOfLabel(context, [{ text }], theme) <= room) ?? ranges[ranges.length - 1];
@@ -71,6 +98,30 @@ export function drawPlanesBeside(context, { width }, { x, y, ranges, planes, poi
     drawLabel(context, [{ text: plane.share }], isTwoLines ? box.left : box.right, box.top + theme.size * (isTwoLines ? 2.5 : 1.15), theme, { align: isTwoLines ? 'left' : 'right' });
     drawPlane(context, plot, plane, { x, y, point }, theme);
   });
+  if (heads && columns) drawHeads(context, heads, boxes, plots, columns, theme);
+  writeEnds(context, ends, plots, theme);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {Heads} heads @param {Box[]} boxes @param {Box[]} plots @param {number} columns @param {Theme} theme */
+function drawHeads(context, heads, boxes, plots, columns, theme) {
+  context.fillStyle = theme.ink;
+  heads.top.forEach((head, i) => drawLabel(context, head, (boxes[i].left + boxes[i].right) / 2, boxes[i].top - theme.size * 0.15, theme, { align: 'center', weight: 600 }));
+  heads.left.forEach((head, i) => {
+    const { left, top, bottom } = plots[i * columns];
+    drawLabel(context, head, left - theme.size * 0.5, (top + bottom) / 2 + theme.size * 0.35, theme, { align: 'right', weight: 600 });
+  });
+}
+
+/** The ends of the axes: to the left of the first plane and below the lowest of its column. @param {CanvasRenderingContext2D} context @param {Shown['ends']} ends @param {Box[]} plots @param {Theme} theme */
+function writeEnds(context, ends, plots, theme) {
+  const [first] = plots;
+  if (!first) return;
+  const lowest = plots.findLast(({ left }) => left === first.left) ?? first;
+  context.fillStyle = theme.ink2;
+  drawLabel(context, [{ text: ends.y[1] }], first.left - 4, first.top + theme.size * 0.8, theme, { align: 'right' });
+  drawLabel(context, [{ text: ends.y[0] }], first.left - 4, first.bottom, theme, { align: 'right' });
+  drawLabel(context, [{ text: ends.x[0] }], lowest.left, lowest.bottom + theme.size * 1.1, theme);
+  drawLabel(context, [{ text: ends.x[1] }], lowest.right, lowest.bottom + theme.size * 1.1, theme, { align: 'right' });
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Box} plot @param {PlaneShown} plane @param {Pick<Shown, 'x' | 'y' | 'point'>} where @param {Theme} theme */
@@ -103,6 +154,11 @@ function drawPlane(context, { left, right, top, bottom }, { image, hatch, bounda
   context.strokeStyle = isNow ? theme.ink : theme.ghost;
   context.lineWidth = (isNow ? 2 : 1) * theme.line;
   context.strokeRect(left + 0.5, top + 0.5, right - left - 1, bottom - top - 1);
+}
+
+/** How wide the widest of some heads is. @param {CanvasRenderingContext2D} context @param {Run[][]} heads @param {Theme} theme */
+export function widthOfHeads(context, heads, theme) {
+  return Math.max(...heads.map((head) => widthOfLabel(context, head, theme, 600)));
 }
 
 /** How wide the words over a plane are, in one line. @param {CanvasRenderingContext2D} context @param {Pick<PlaneShown, 'label' | 'share'>} plane @param {Theme} theme */

@@ -5,7 +5,7 @@ import { withUnit } from '../../controls/quantity.js';
 import { download } from '../../out/download.js';
 import { tableCsv } from '../../out/table-csv.js';
 import '../../view/canvas.js';
-import { drawPlanesBeside, layBeside, widthOfWords } from '../../view/planes-beside.js';
+import { drawPlanesBeside, layBeside, layGrid, widthOfHeads, widthOfWords } from '../../view/planes-beside.js';
 import { besideChoices } from './beside-choices.js';
 import { besideOf, readyBesides, writeBeside } from './beside-settings.js';
 import { figuresTable, sorted } from './figures-table.js';
@@ -73,13 +73,15 @@ export class BesidePlanes extends Panel {
       <div class="panel-scroll beside" tabindex="0" role="group" aria-label=${voice.say('stability.view.beside')}>
         ${besideChoices(this, beside, voice)}
         ${this.#strangers(beside, voice)}
-        <div class="planes-beside" style="height: ${layout?.height ?? 200}px">
-          <shimmy-canvas .label=${this.#label(beside, voice)} .paint=${this.#paint}></shimmy-canvas>
-          ${layout?.boxes.map(({ left, right, top, bottom }, i) => {
-            const does = items[i] ? `${this.#nameInWords(items[i], voice)}, ${this.#shareInWords(items[i], voice)}. ${voice.say('beside.open')}` : '';
-            return html`<button type="button" aria-label=${does} title=${does} style="left: ${left}px; top: ${top}px; width: ${right - left}px; height: ${bottom - top}px"
-              @click=${() => this.#open(items[i], beside)}></button>`;
-          })}
+        <div class="planes-beside">
+          <div class="planes" style="width: ${layout ? `${layout.width}px` : '100%'}; height: ${layout?.height ?? 200}px">
+            <shimmy-canvas .label=${this.#label(beside, voice)} .paint=${this.#paint}></shimmy-canvas>
+            ${layout?.boxes.map(({ left, right, top, bottom }, i) => {
+              const does = items[i] ? `${this.#nameInWords(items[i], voice)}, ${this.#shareInWords(items[i], voice)}. ${voice.say('beside.open')}` : '';
+              return html`<button type="button" aria-label=${does} title=${does} style="left: ${left}px; top: ${top}px; width: ${right - left}px; height: ${bottom - top}px"
+                @click=${() => this.#open(items[i], beside)}></button>`;
+            })}
+          </div>
         </div>
         ${figuresTable(this, {
           caption: voice.say('beside.table'), columns: this.#columns(beside, voice), rows: items, of: 'besideSort', sorting: this.settings.besideSort ?? '',
@@ -125,6 +127,11 @@ export class BesidePlanes extends Panel {
   #layout(beside, voice) {
     const { theme, width } = this;
     if (!theme || !this.#ruler || !(width > 0)) return null;
+    const [rows, columns] = beside.lists.map(({ values }) => values.length);
+    if (columns) {
+      const { left, top } = this.#heads(beside, voice);
+      return layGrid(width, { rows, columns }, theme, { left: Math.max(4 * theme.size, widthOfHeads(this.#ruler, left, theme)), top: widthOfHeads(this.#ruler, top, theme) });
+    }
     const count = beside.lists.reduce((product, { values }) => product * values.length, 1);
     const low = layBeside(width, count, theme, { isTall: false });
     const room = low.boxes[0].right - low.boxes[0].left;
@@ -142,10 +149,11 @@ export class BesidePlanes extends Panel {
     const { x, y } = beside;
     drawPlanesBeside(context, size, {
       x, y, ranges: [voice.say('beside.ranges', this.#rangesOf(beside, voice)), this.#ranges(beside, voice)],
+      heads: layout.columns ? this.#heads(beside, voice) : null, ends: { x: this.#endsOf(x, voice), y: this.#endsOf(y, voice) },
       point: { x: scene.parameters[x.parameter], y: scene.parameters[y.parameter] },
       planes: items.map((item, i) => ({
         ...(item.map && layout.plots[i] ? this.#pictures.of(item.map, layout.plots[i], theme) : { image: null, hatch: null }),
-        boundary: item.boundary, label: this.#labelOf(item, voice), share: this.#shareInWords(item, voice), isOld: item.isOld, isNow: this.#isNow(item),
+        boundary: item.boundary, label: layout.columns ? [] : this.#labelOf(item, voice), share: this.#shareInWords(item, voice), isOld: item.isOld, isNow: this.#isNow(item),
       })),
     }, layout, theme);
   };
@@ -171,7 +179,19 @@ export class BesidePlanes extends Panel {
     return Object.entries(values).every(([name, value]) => this.scene?.parameters[name] === value);
   }
 
-  /** What sets a plane apart: `e 0.105 m · σ 0.02 m`. @param {Item} item @param {Voice} voice @returns {import('../../view/text.js').Run[]} */
+  /** What the rows and the columns of a grid are of. @param {Beside} beside @param {Voice} voice */
+  #heads({ lists }, voice) {
+    const [left, top] = lists.map(({ parameter, values }) => values.map((value) => this.#labelOf({ values: { [parameter]: value } }, voice)));
+    return { left, top };
+  }
+
+  /** @param {import('../../run/linear-looks.js').Range} range @param {Voice} voice */
+  #endsOf({ parameter, from, to }, voice) {
+    const quantity = this.quantity(parameter);
+    return [from, to].map((value) => (quantity ? shortNumber(quantity, value, voice) : ''));
+  }
+
+  /** What sets a plane apart: `e 0.105 m · σ 0.02 m`. @param {Pick<Item, 'values'>} item @param {Voice} voice @returns {import('../../view/text.js').Run[]} */
   #labelOf({ values }, voice) {
     const names = Object.keys(values);
     return names.flatMap((name, i) => {
