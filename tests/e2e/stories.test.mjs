@@ -80,8 +80,8 @@ test('the list obeys its keys: arrows past what is not built, Escape, and nothin
   await page.keyboard.press('ArrowUp');
   await page.keyboard.press('ArrowUp');
   assert.match(await active(), /Figure 6\.24b/, 'around the end, past what cannot be opened');
-  await page.keyboard.type('stability');
-  assert.equal(await rows(page, { disabled: true }).count(), 53 + 2);
+  await page.keyboard.type('landing roll');
+  assert.ok(await rows(page, { disabled: true }).count() >= 16);
   assert.match(await rows(page).first().innerText(), /not built yet/);
   await page.keyboard.press('Enter');
   await page.keyboard.type(' of the moon');
