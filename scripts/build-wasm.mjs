@@ -1,11 +1,13 @@
 // Builds the crate into www/pkg/: shimmy.js, shimmy_bg.wasm, shimmy.d.ts.
 
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { homedir } from 'node:os';
+import { join, sep } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { ROOT } from './setup/root.mjs';
 import { end, run } from './setup/run.mjs';
 import { found } from './setup/say.mjs';
+import { TARGET } from './setup/wasm-trial.mjs';
 import { setUp } from './setup.mjs';
 
 const SOURCES = ['src', 'Cargo.toml', 'Cargo.lock', '.cargo/config.toml'];
@@ -19,7 +21,7 @@ export function buildModule({ wasm }) {
   const aside = join(ROOT, 'target', `pkg-${process.pid}`);
   try {
     // no-install: all that wasm-pack would download, the set-up has found.
-    const build = ['build', moduleAlone(), '--mode', 'no-install', '--target', 'web', '--no-pack', '--out-dir', aside, '--', '--locked'];
+    const build = ['build', moduleAlone(), '--mode', 'no-install', '--target', 'web', '--no-pack', '--out-dir', aside, '--', '--locked', '--config', withoutPaths(wasm)];
     run('wasm-pack', ['--log-level', 'error', ...build], { CARGO_TARGET_DIR: join(ROOT, 'target'), ...wasm });
     rmSync(MODULE, { recursive: true, force: true });
     renameSync(aside, MODULE);
@@ -45,6 +47,17 @@ function moduleAlone() {
   writeFileSync(join(folder, 'Cargo.toml'), manifest.replace(both, `path = ${JSON.stringify(join(ROOT, 'src', 'lib.rs'))}\ncrate-type = ["cdylib"]`));
   copyFileSync(join(ROOT, 'Cargo.lock'), join(folder, 'Cargo.lock'));
   return folder;
+}
+
+/**
+ * Panics name their file: without the folders of the machine that built the module, which are nobody's business and bytes.
+ * @param {NodeJS.ProcessEnv} env
+ * @returns {string} a setting of cargo's; it adds to the flags of .cargo/config.toml
+ */
+function withoutPaths(env) {
+  const folders = [ROOT, join(env.CARGO_HOME ?? join(homedir(), '.cargo'), 'registry', 'src')];
+  const flags = folders.map((folder) => `--remap-path-prefix=${folder.replace(/[\\/]$/, '')}${sep}=`);
+  return `target.${TARGET}.rustflags=${JSON.stringify(flags)}`;
 }
 
 /** Builds only when a source is newer than the module. @param {import('./setup.mjs').Tools} tools */
