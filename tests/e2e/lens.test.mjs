@@ -87,3 +87,21 @@ test('while it is to be guessed the table hides what becomes of each run, from s
   assert.match(await rows.nth(1).innerText(), /Hz/);
   await leave();
 });
+
+for (const locale of ['en-US', 'tr-TR'])
+  test(`the table of ghosts fits beside the gear: ${locale}`, async () => {
+    const { page, leave } = await site.open(`${settled}&lens=compare${ghost(50)}`, { viewport: { width: 1440, height: 900 }, locale });
+    await page.locator('shimmy-compare-table tbody tr').nth(1).waitFor();
+    const over = () => page.locator('shimmy-compare-table .scroll').evaluate((one) => one.scrollWidth - one.clientWidth);
+    await page.waitForTimeout(500);
+    assert.ok((await over()) <= 0, `${await over()} px too wide`);
+    await leave();
+  });
+
+test('on a phone what to try stands beside its button, not under it', async () => {
+  const { page, leave } = await site.open(settled, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await page.locator('.story').waitFor();
+  const [words, button] = await page.evaluate(() => ['.story > :first-child', '.story .story-walk button'].map((one) => document.querySelector(one)?.getBoundingClientRect().toJSON()));
+  assert.ok(words.right <= button.left, `${words.right} over ${button.left}`);
+  await leave();
+});

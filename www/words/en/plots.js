@@ -45,7 +45,7 @@ export const plots = {
   'compare.verdict': 'what it does',
   'compare.amplitude': 'amplitude',
   'compare.frequency': 'frequency',
-  'compare.energy': 'energy in and out, a cycle',
+  'compare.energy': 'energy in, out',
   'compare.now': 'Now',
   'compare.ghost': 'Ghost {number}',
   'compare.asSet': 'as set now',

@@ -45,7 +45,7 @@ export const plots = {
   'compare.verdict': 'ne oluyor',
   'compare.amplitude': 'genlik',
   'compare.frequency': 'frekans',
-  'compare.energy': 'bir çevrimde giren ve çıkan enerji',
+  'compare.energy': 'giren, çıkan enerji',
   'compare.now': 'Şimdi',
   'compare.ghost': 'Hayalet {number}',
   'compare.asSet': 'şimdiki değerler',
