@@ -637,3 +637,26 @@ test('a point sets its values alone, parts what would follow them, is one undo a
   assert.deepEqual(store.state.parameters, before);
   assert.deepEqual(store.state.links, { relaxationLength: true, treadWidthMomentConstant: true });
 });
+
+test('a knob dragged twice, or a wheel twisted twice, is on record twice, and begins again as it was', () => {
+  const { session } = opened();
+  session.advance(0.1);
+  for (const values of [[40, 60], [30, 25]]) {
+    for (const c of values) session.set('dampingConstant', c, 'dampingConstant drag');
+    session.settle();
+    session.advance(0.3);
+  }
+  for (const angle of [0.2, -0.1]) {
+    session.hold(angle);
+    session.letGo();
+    session.advance(0.05);
+  }
+  const { recipe } = session;
+  assert.deepEqual(recipe.changes.map(({ set, state }) => set?.dampingConstant ?? state?.torsionAngle), [60, 25, 0.2, -0.1]);
+  const { parameters: start, ...run } = recipe;
+  const { store, session: again } = opened();
+  store.update({ parameters: { ...start, dampingConstant: 25 }, run: { start, initial: run.initial, changes: run.changes, time: run.time } });
+  again.seek(0.35);
+  session.seek(0.35);
+  assert.ok(isClose(again.scene(wanted).state, session.scene(wanted).state, 1e-6), 'between the two as well');
+});

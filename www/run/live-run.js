@@ -29,6 +29,7 @@ const longestTime = 60;
 export class LiveRun {
   /** @type {readonly Done[]} */ #changes = [];
   /** Whether the record still goes back to the start. */ #isWhole = true;
+  /** Whether the last gesture on record has ended: one like it is another. */ #isSettled = true;
   /** @type {Start} */ #start;
   #simulator;
   #names;
@@ -116,6 +117,11 @@ export class LiveRun {
     this.#record({ time: this.time, since: this.time, gesture, ...(set && { set }), ...(state && { state }), ...(kick !== undefined && { kick }) });
   }
 
+  /** A hand let go: its gesture has ended. */
+  settle() {
+    this.#isSettled = true;
+  }
+
   /** Where it is, and how it came there. @returns {Place} */
   get place() {
     const { object, time, parameters, stateByName: state } = this;
@@ -153,6 +159,7 @@ export class LiveRun {
     }
     this.#changes = changes;
     this.#isWhole = isWhole;
+    this.#isSettled = true;
     this.seek(time);
   }
 
@@ -198,7 +205,8 @@ export class LiveRun {
   #record(change) {
     const before = this.#changes.filter(({ time }) => time <= change.time);
     const last = before.at(-1);
-    const isSame = last && change.gesture !== null && last.gesture === change.gesture;
+    const isSame = last && !this.#isSettled && change.gesture !== null && last.gesture === change.gesture;
+    this.#isSettled = false;
     const merged = isSame && { ...last, ...change, since: last.since, set: last.set && { ...last.set, ...change.set } };
     this.#changes = merged ? [...before.slice(0, -1), merged] : [...before, change];
     if (this.#changes.length <= 4 * longestRecord) return;

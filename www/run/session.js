@@ -166,6 +166,7 @@ export class Session {
     if (this.failure) return;
     const state = this.#live.stateByName;
     this.#tried(() => this.#live.apply({ state }, 'hold'));
+    this.#live.settle();
     this.#store.did(place);
     this.refresh();
     this.#refit();
@@ -249,6 +250,7 @@ export class Session {
   /** A hand let go. */
   settle() {
     this.#store.settle();
+    this.#live.settle();
     if (this.failure) return;
     if (this.isStale) this.refresh();
     this.#refit();
