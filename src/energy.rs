@@ -1,7 +1,5 @@
 //! Where a swing's energy comes from, and where it goes.
 
-use serde::Serialize;
-
 use crate::{
     error::{Code, Error, Result, shown},
     integrate::{Failure, Integrator, failed},
@@ -26,8 +24,7 @@ const STEPS: f64 = 16.0;
 /// error of the integration.
 ///
 /// A friction element would take its own part out, and gets its own field when there is one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
     /// The time \[s\].
     pub duration: f64,

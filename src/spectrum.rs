@@ -4,8 +4,6 @@ mod fourier;
 
 use std::f64::consts::PI;
 
-use serde::Serialize;
-
 use self::fourier::{Complex, transform};
 use crate::{
     error::{Code, Error, Result, shown},
@@ -39,7 +37,7 @@ pub struct Spectrum {
 }
 
 /// A sinusoid.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
     /// Its frequency \[Hz\].
     pub frequency: f64,

@@ -2,8 +2,6 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
 
-use serde::Serialize;
-
 use crate::{
     energy::GAUSS,
     error::{Code, Error, Result, shown},
@@ -40,7 +38,7 @@ const ASIDE: f64 = 1e-5;
 ///
 /// # References
 /// G. Somieski, *Aerospace Science and Technology* 8 (1997) 545–555.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Predicted {
     /// Amplitudes of its sinusoids.
     pub amplitude: Amplitudes,
@@ -51,8 +49,7 @@ pub struct Predicted {
 }
 
 /// Amplitudes of a predicted cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amplitudes {
     /// ψ \[rad\].
     pub torsion_angle: f64,

@@ -2,8 +2,6 @@
 
 mod curves;
 
-use serde::Serialize;
-
 pub use self::curves::{Curves, ForceLaws, Kinks};
 
 use super::torsional::{PSI, PSI_RATE, Y};
@@ -38,8 +36,7 @@ pub struct Laws {
 }
 
 /// Forces at a state: what a drawing shows.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces {
     /// α \[rad\].
     pub slip_angle: f64,

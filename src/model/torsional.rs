@@ -4,8 +4,6 @@ mod tables;
 
 use std::ops::Mul;
 
-use serde::Serialize;
-
 pub(super) use self::tables::{PARAMETERS, STATE};
 use super::{Gear, Mode, Model, System, laws::Laws};
 use crate::{
@@ -256,8 +254,7 @@ pub fn linked<T: Copy + Mul<Output = T> + From<f64>>(
 }
 
 /// What the links give: see [`linked`].
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkedParameters {
     /// σ = 3a \[m\].
     pub relaxation_length: f64,

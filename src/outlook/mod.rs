@@ -4,8 +4,6 @@ mod approach;
 mod look;
 mod watch;
 
-use serde::Serialize;
-
 use self::look::Look;
 pub(crate) use self::{look::look_ahead, watch::End};
 use crate::{
@@ -24,8 +22,7 @@ const TRUSTED: f64 = 0.5;
 const ORBIT: usize = 128;
 
 /// The verdict, in one word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// Goes to a limit cycle that the tire sustains.
     Shimmies,
@@ -39,9 +36,21 @@ pub enum Verdict {
     Rests,
 }
 
+impl Verdict {
+    /// Public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Shimmies => "shimmies",
+            Self::DiesOut => "dies-out",
+            Self::Rattles => "rattles",
+            Self::Grows => "grows",
+            Self::Rests => "rests",
+        }
+    }
+}
+
 /// Which way the amplitude goes now.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trend {
     /// From cycle to cycle it gets larger.
     Growing,
@@ -49,6 +58,17 @@ pub enum Trend {
     Falling,
     /// It stays.
     Steady,
+}
+
+impl Trend {
+    /// Public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Growing => "growing",
+            Self::Falling => "falling",
+            Self::Steady => "steady",
+        }
+    }
 }
 
 /// What becomes of a motion if nothing changes.

@@ -2,14 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::{Complex, DMatrix};
-use serde::Serialize;
-
 use super::{EndKind, eigenvalues::eigenvalues};
 use crate::error::Result;
+use nalgebra::{Complex, DMatrix};
 
 /// A value of the parameter at which eigenvalues cross the imaginary axis.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// The parameter, in its unit.
     pub value: f64,

@@ -7,8 +7,6 @@ mod pieces;
 mod share;
 mod trace;
 
-use serde::Serialize;
-
 use super::Plane;
 use crate::{
     error::{Code, Error, Result, shown},
@@ -23,13 +21,22 @@ use trace::branches;
 type Point = [f64; 2];
 
 /// What crosses the imaginary axis at a curve.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurveKind {
     /// A pair of eigenvalues: a small swing neither grows nor fades.
     Hopf,
     /// A real eigenvalue: a small deviation neither grows nor fades.
     Divergence,
+}
+
+impl CurveKind {
+    /// Public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hopf => "hopf",
+            Self::Divergence => "divergence",
+        }
+    }
 }
 
 impl CurveKind {

@@ -2,9 +2,6 @@
 
 use std::f64::consts::{LN_2, TAU};
 
-use nalgebra::{Complex, DMatrix};
-use serde::Serialize;
-
 use super::{
     eigenvalues::{balance, eigenvalues},
     elimination::Triangle,
@@ -14,6 +11,7 @@ use crate::{
     model::laws::Laws,
     parameter::StateVariable,
 };
+use nalgebra::{Complex, DMatrix};
 
 /// A state that is smaller than this part of the largest, each measured by its typical size, takes no part in the motion.
 const ABSENT: f64 = 1e-9;
@@ -62,8 +60,7 @@ pub struct Eigenmode {
 ///
 /// # Limits
 /// With freeplay the gear swings in its gap: k = 0.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyFlow {
     /// Fed in by the tire.
     pub tire: f64,

@@ -30,8 +30,6 @@ mod surface;
 mod torsional;
 mod variation;
 
-use serde::Serialize;
-
 pub(crate) use self::{
     bounded::Bounded,
     characteristic::characteristic_bounded,
@@ -57,8 +55,7 @@ pub use self::{
 };
 
 /// The verdict of Routh and Hurwitz at rest.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RouthHurwitz {
     /// Every entry of the column is positive by more than rounding, as Routh's array judges: all small motions fade.
     pub stable: bool,
@@ -72,8 +69,7 @@ pub struct RouthHurwitz {
 }
 
 /// A part of a parameter's range in which a small swing does not fade.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnstableInterval {
     /// Its lower end, in the parameter's unit.
     pub from: f64,
@@ -86,8 +82,7 @@ pub struct UnstableInterval {
 }
 
 /// What is at the end of an [`UnstableInterval`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EndKind {
     /// A pair of eigenvalues crosses the imaginary axis.
     Hopf,
@@ -95,4 +90,15 @@ pub enum EndKind {
     Divergence,
     /// The end of the range asked for.
     Range,
+}
+
+impl EndKind {
+    /// Public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hopf => "hopf",
+            Self::Divergence => "divergence",
+            Self::Range => "range",
+        }
+    }
 }

@@ -1,18 +1,25 @@
 //! Routh's array of any polynomial.
 
-use serde::Serialize;
-
 use super::bounded::Bounded;
 use crate::error::{Code, Error, Result};
 
 /// A row of Routh's array that could not be gone on with as it came out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Special {
     /// Its first entry was zero, others were not.
     ZeroPivot,
     /// All of it was zero: the row above divides the polynomial, and has its roots in pairs ±s.
     ZeroRow,
+}
+
+impl Special {
+    /// Public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ZeroPivot => "zero-pivot",
+            Self::ZeroRow => "zero-row",
+        }
+    }
 }
 
 /// Routh's array of a polynomial, and what it says of the roots.
@@ -37,8 +44,7 @@ pub enum Special {
 /// # References
 /// E. J. Routh, *A Treatise on the Stability of a Given State of Motion*, Macmillan, 1877. M. Benidir and B. Picinbono,
 /// *IEEE Transactions on Automatic Control* 35 (1990) 218–222, for the zero pivot.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RouthArray {
     /// The polynomial's coefficients, highest power first.
     pub coefficients: Vec<f64>,

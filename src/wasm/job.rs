@@ -2,10 +2,10 @@
 
 use std::cell::RefCell;
 
-use js_sys::{Date, Object};
+use js_sys::Date;
 use wasm_bindgen::prelude::*;
 
-use super::{input, output, plane};
+use super::{input, output, record::Record};
 use crate::{
     error::{Code, Error, Result, shown},
     run::Value,
@@ -56,17 +56,14 @@ impl Job {
                     break;
                 }
             }
-            let progress = Object::new();
-            output::put(&progress, "done", &map.done().into());
-            output::put(&progress, "fraction", &map.fraction().into());
-            Ok(progress.into())
+            Ok(Record::new().truth("done", map.done()).number("fraction", map.fraction()).done())
         })
     }
 
     /// What is there so far: what the function of the job's name gives, its arrays no longer than that.
     #[wasm_bindgen(unchecked_return_type = "UnfinishedMap")]
     pub fn result(&self) -> std::result::Result<JsValue, JsValue> {
-        self.with(|map| plane::object_of(map))
+        self.with(|map| output::stability_map(map))
     }
 }
 

@@ -11,6 +11,7 @@ mod job;
 mod linear;
 mod output;
 mod plane;
+mod record;
 mod simulator;
 
 pub use cycles::{describing_function, limit_cycle};
@@ -25,7 +26,7 @@ pub use simulator::Simulator;
 use wasm_bindgen::prelude::*;
 
 use crate::{
-    Run, atlas,
+    Run, atlas, error,
     integrate::methods as list_of_methods,
     model::{self, laws::Curves},
     spectrum::Series,
@@ -49,33 +50,31 @@ pub fn version() -> String {
 /// Tables of all models.
 #[wasm_bindgen(unchecked_return_type = "Model[]")]
 pub fn models() -> Result<JsValue, JsValue> {
-    output::record(&model::list())
+    output::table(&model::list())
 }
 
 /// Table of all methods.
 #[wasm_bindgen(unchecked_return_type = "Method[]")]
 pub fn methods() -> Result<JsValue, JsValue> {
-    output::record(&list_of_methods())
+    output::table(&list_of_methods())
 }
 
 /// Carries out a run.
 #[wasm_bindgen(unchecked_return_type = "Trajectory")]
 pub fn simulate(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
-    let run = read_run(&run)?;
-    output::trajectory(&run, run.simulate().map_err(output::error)?)
+    of_run(&run, &|run| Ok(output::trajectory(run, &run.simulate()?)))
 }
 
 /// What becomes of a motion if nothing changes; `duration` is how far ahead it looks (6 s).
 #[wasm_bindgen(unchecked_return_type = "Outlook")]
 pub fn outlook(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
-    let run = read_run(&run)?;
-    output::outlook(&run, run.outlook().map_err(output::error)?)
+    of_run(&run, &|run| Ok(output::outlook(run, &run.outlook()?)))
 }
 
 /// The energy of one cycle from the run's start, or of its `duration` where it has one.
 #[wasm_bindgen(unchecked_return_type = "Energy | null")]
 pub fn energy(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
-    output::record(&read_run(&run)?.energy().map_err(output::error)?)
+    of_run(&run, &|run| Ok(run.energy()?.as_ref().map_or(JsValue::NULL, output::energy)))
 }
 
 /// The force laws as curves: against the slip angle and against the torsion angle, with their kinks among the points.
@@ -84,16 +83,17 @@ pub fn force_laws(
     #[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "Curves | null")] curves: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let run = read_run(&run)?;
-    let curves = input::value(&curves, "curves").and_then(|value| Curves::read(&value));
-    output::force_laws(&curves.and_then(|curves| run.force_laws(&curves)).map_err(output::error)?)
+    of_run(&run, &|run| {
+        let curves = Curves::read(&input::value(&curves, "curves")?)?;
+        Ok(output::force_laws(&run.force_laws(&curves)?))
+    })
 }
 
 /// The amplitude spectrum of equally spaced values: a sinusoid of amplitude A shows as A.
 #[wasm_bindgen(unchecked_return_type = "Spectrum")]
 pub fn spectrum(#[wasm_bindgen(unchecked_param_type = "Series")] series: JsValue) -> Result<JsValue, JsValue> {
     let series = input::value(&series, "series").and_then(|value| Series::read(&value)).map_err(output::error)?;
-    output::spectrum(&series.spectrum())
+    Ok(output::spectrum(&series.spectrum()))
 }
 
 /// The figures and tables of the work that this implements.
@@ -105,7 +105,7 @@ pub fn atlas() -> Result<JsValue, JsValue> {
 /// Values that the links σ = 3a and κ = 0.15 a² c_Fα F_z give for the parameters of a run.
 #[wasm_bindgen(js_name = linkedParameters, unchecked_return_type = "LinkedParameters")]
 pub fn linked_parameters(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
-    output::record(&read_run(&run)?.linked_parameters().map_err(output::error)?)
+    of_run(&run, &|run| Ok(output::linked_parameters(&run.linked_parameters()?)))
 }
 
 /// Forces at a state, in the order of the state table.
@@ -114,9 +114,10 @@ pub fn forces(
     #[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Float64Array | number[]")] state: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let run = read_run(&run)?;
-    let state = input::value(&state, "state").and_then(|value| run.read_state(&value)).map_err(output::error)?;
-    output::record(&run.forces(&state).map_err(output::error)?)
+    of_run(&run, &|run| {
+        let state = run.read_state(&input::value(&state, "state")?)?;
+        Ok(output::forces(&run.forces(&state)?))
+    })
 }
 
 /// Forces along a motion: what `forces` says, row by row.
@@ -125,11 +126,14 @@ pub fn forces_along(
     #[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Columns")] columns: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let run = read_run(&run)?;
-    let states = input::value(&columns, "columns").and_then(|value| run.read_states(&value)).map_err(output::error)?;
-    Ok(output::forces_along(&run.forces_along(&states).map_err(output::error)?).into())
+    of_run(&run, &|run| {
+        let states = run.read_states(&input::value(&columns, "columns")?)?;
+        Ok(output::forces_along(&run.forces_along(&states)?))
+    })
 }
 
-fn read_run(run: &JsValue) -> Result<Run, JsValue> {
-    input::value(run, "run").and_then(|value| Run::read(&value)).map_err(output::error)
+/// What is answered of a run.
+#[inline(never)]
+fn of_run(run: &JsValue, answer: &dyn Fn(&Run) -> error::Result<JsValue>) -> Result<JsValue, JsValue> {
+    input::value(run, "run").and_then(|value| answer(&Run::read(&value)?)).map_err(output::error)
 }

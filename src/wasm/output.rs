@@ -1,141 +1,304 @@
 //! From results to plain JavaScript objects.
 
-use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array};
+use nalgebra::Complex;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
+use super::record::{Record, list, numbers};
 use crate::{
     Error, Run,
+    cycles::{LimitCycle, Predicted},
+    energy::Energy,
     integrate::{Stats, Trajectory},
     live::{Columns, Envelope},
-    model::laws::{ForceColumns, ForceLaws},
+    model::{
+        laws::{ForceColumns, ForceLaws, Forces, Kinks},
+        torsional::LinkedParameters,
+    },
     outlook::Outlook,
     parameter::StateVariable,
     spectrum::Spectrum,
+    stability::{
+        Crossing, Eigenmode, EnergyFlow, HopfCurve, KINDS, RouthArray, RouthHurwitz, StabilityMap, UnstableInterval,
+    },
 };
 
-/// Small records: plain objects, never Maps; what is absent is `null`.
-pub(super) fn record(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    let serializer =
-        serde_wasm_bindgen::Serializer::new().serialize_maps_as_objects(true).serialize_missing_as_null(true);
-    value.serialize(&serializer).map_err(JsValue::from)
+/// The tables, as they are. Results are written field by field: serde's code for a type is several times theirs.
+pub(super) fn table(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    value.serialize(&serde_wasm_bindgen::Serializer::new()).map_err(JsValue::from)
 }
 
 /// An `Error` with its data as properties.
 #[inline(never)]
 pub(super) fn error(error: Error) -> JsValue {
-    let js = js_sys::Error::new(&error.to_string());
-    let target: &Object = js.as_ref();
-    put(target, "code", &error.code.name().into());
-    put(target, "field", &error.field.as_str().into());
-    put(target, "value", &error.value.as_str().into());
-    put(target, "allowed", &error.allowed.as_str().into());
-    put(target, "suggestion", &error.suggestion.map_or(JsValue::NULL, JsValue::from));
-    js.into()
+    let suggestion = error.suggestion.map_or(JsValue::NULL, JsValue::from_str);
+    Record::onto(js_sys::Error::new(&error.to_string()).into())
+        .text("code", error.code.name())
+        .text("field", &error.field)
+        .text("value", &error.value)
+        .text("allowed", &error.allowed)
+        .value("suggestion", suggestion)
+        .done()
 }
 
-/// Sets a property of an object that this module has made; that cannot fail.
+/// One number per state.
 #[inline(never)]
-pub(super) fn put(object: &Object, key: &str, value: &JsValue) {
-    let _ = Reflect::set(object, &key.into(), value);
-}
-
-#[inline(never)]
-pub(super) fn series(values: &[f64]) -> JsValue {
-    Float64Array::from(values).into()
+pub(super) fn by_state(states: &[StateVariable], values: &[f64]) -> Record {
+    states.iter().zip(values).fold(Record::new(), |record, (state, value)| record.number(state.name, *value))
 }
 
 /// `time` and one array per state.
-pub(super) fn columns(states: &[StateVariable], columns: Columns) -> Object {
-    let object = Object::new();
-    put(&object, "time", &series(&columns.time));
-    for (state, column) in states.iter().zip(columns.states) {
-        put(&object, state.name, &series(&column));
-    }
-    object
+#[inline(never)]
+fn columns_of(states: &[StateVariable], time: &[f64], columns: &[Vec<f64>]) -> Record {
+    let record = Record::new().series("time", time);
+    states.iter().zip(columns).fold(record, |record, (state, column)| record.series(state.name, column))
 }
 
-pub(super) fn envelope(envelope: &Envelope) -> Object {
-    let object = Object::new();
-    put(&object, "time", &series(&envelope.time));
-    put(&object, "low", &series(&envelope.low));
-    put(&object, "high", &series(&envelope.high));
-    object
-}
-
-pub(super) fn trajectory(run: &Run, trajectory: Trajectory) -> Result<JsValue, JsValue> {
-    let Trajectory { time, states, events, stats, scheme } = trajectory;
-    let object = columns(run.description().state, Columns { time, states });
-    let record = Object::new();
-    put(&record, "time", &series(&events.time));
-    put(&record, "kind", &Uint8Array::from(events.kind.as_slice()).into());
-    put(&record, "kinds", &events.kinds.iter().map(|kind| JsValue::from(*kind)).collect::<Array>().into());
-    put(&object, "events", &record.into());
-    put(&object, "stats", &statistics(stats, scheme.name()).into());
-    Ok(object.into())
-}
-
-fn statistics(stats: Stats, method: &str) -> Object {
-    let object = Object::new();
-    put(&object, "method", &method.into());
-    put(&object, "steps", &(stats.steps as f64).into());
-    put(&object, "rejected", &(stats.rejected as f64).into());
-    put(&object, "evaluations", &(stats.evaluations as f64).into());
-    put(&object, "events", &(stats.events as f64).into());
-    put(&object, "stiff", &stats.stiff.into());
-    object
-}
-
-pub(super) fn outlook(run: &Run, outlook: Outlook) -> Result<JsValue, JsValue> {
-    let states = run.description().state;
-    let object = Object::new();
-    put(&object, "verdict", &record(&outlook.verdict)?);
-    put(&object, "settled", &outlook.settled.into());
-    let amplitude = Object::new();
-    for (state, value) in states.iter().zip(&outlook.amplitude) {
-        put(&amplitude, state.name, &(*value).into());
-    }
-    put(&object, "amplitude", &amplitude.into());
-    put(&object, "frequency", &maybe(outlook.frequency));
-    let present = Object::new();
-    put(&present, "amplitude", &outlook.present_amplitude.into());
-    put(&present, "frequency", &maybe(outlook.present_frequency));
-    put(&present, "trend", &record(&outlook.trend)?);
-    put(&object, "present", &present.into());
-    put(&object, "envelope", &envelope(&outlook.envelope).into());
-    put(&object, "orbit", &columns(states, outlook.orbit).into());
-    Ok(object.into())
-}
-
-pub(super) fn forces_along(columns: &ForceColumns) -> Object {
-    let object = Object::new();
-    put(&object, "slipAngle", &series(&columns.slip_angle));
-    put(&object, "sideForce", &series(&columns.side_force));
-    put(&object, "aligningMoment", &series(&columns.aligning_moment));
-    put(&object, "springTorque", &series(&columns.spring_torque));
-    object
-}
-
-pub(super) fn force_laws(laws: &ForceLaws) -> Result<JsValue, JsValue> {
-    let object = Object::new();
-    put(&object, "slipAngle", &series(&laws.slip_angle));
-    put(&object, "sideForce", &series(&laws.side_force));
-    put(&object, "aligningMoment", &series(&laws.aligning_moment));
-    put(&object, "torsionAngle", &series(&laws.torsion_angle));
-    put(&object, "restoringMoment", &series(&laws.restoring_moment));
-    put(&object, "kinks", &record(&laws.kinks)?);
-    Ok(object.into())
-}
-
-pub(super) fn spectrum(spectrum: &Spectrum) -> Result<JsValue, JsValue> {
-    let object = Object::new();
-    put(&object, "frequency", &series(&spectrum.frequency));
-    put(&object, "amplitude", &series(&spectrum.amplitude));
-    put(&object, "peak", &record(&spectrum.peak)?);
-    Ok(object.into())
+pub(super) fn columns(states: &[StateVariable], columns: &Columns) -> JsValue {
+    columns_of(states, &columns.time, &columns.states).done()
 }
 
 #[inline(never)]
-pub(super) fn maybe(value: Option<f64>) -> JsValue {
-    value.map_or(JsValue::NULL, JsValue::from)
+pub(super) fn envelope(envelope: &Envelope) -> JsValue {
+    Record::new().series("time", &envelope.time).series("low", &envelope.low).series("high", &envelope.high).done()
+}
+
+pub(super) fn trajectory(run: &Run, trajectory: &Trajectory) -> JsValue {
+    let Trajectory { time, states, events, stats, scheme } = trajectory;
+    let happened = Record::new().series("time", &events.time).bytes("kind", &events.kind).names("kinds", events.kinds);
+    columns_of(run.description().state, time, states)
+        .record("events", happened)
+        .record("stats", statistics(*stats, scheme.name()))
+        .done()
+}
+
+fn statistics(stats: Stats, method: &str) -> Record {
+    Record::new()
+        .text("method", method)
+        .number("steps", stats.steps as f64)
+        .number("rejected", stats.rejected as f64)
+        .number("evaluations", stats.evaluations as f64)
+        .number("events", stats.events as f64)
+        .truth("stiff", stats.stiff)
+}
+
+pub(super) fn outlook(run: &Run, outlook: &Outlook) -> JsValue {
+    let states = run.description().state;
+    let present = Record::new()
+        .number("amplitude", outlook.present_amplitude)
+        .maybe("frequency", outlook.present_frequency)
+        .text("trend", outlook.trend.name());
+    Record::new()
+        .text("verdict", outlook.verdict.name())
+        .truth("settled", outlook.settled)
+        .record("amplitude", by_state(states, &outlook.amplitude))
+        .maybe("frequency", outlook.frequency)
+        .record("present", present)
+        .value("envelope", envelope(&outlook.envelope))
+        .value("orbit", columns(states, &outlook.orbit))
+        .done()
+}
+
+pub(super) fn energy(energy: &Energy) -> JsValue {
+    Record::new()
+        .number("duration", energy.duration)
+        .number("tire", energy.tire)
+        .number("damper", energy.damper)
+        .number("treadWidth", energy.tread_width)
+        .number("kinetic", energy.kinetic)
+        .number("spring", energy.spring)
+        .number("stored", energy.stored)
+        .done()
+}
+
+pub(super) fn forces(forces: &Forces) -> JsValue {
+    Record::new()
+        .number("slipAngle", forces.slip_angle)
+        .number("sideForce", forces.side_force)
+        .number("aligningMoment", forces.aligning_moment)
+        .truth("sideForceLimited", forces.side_force_limited)
+        .number("springAngle", forces.spring_angle)
+        .number("springTorque", forces.spring_torque)
+        .done()
+}
+
+pub(super) fn forces_along(columns: &ForceColumns) -> JsValue {
+    Record::new()
+        .series("slipAngle", &columns.slip_angle)
+        .series("sideForce", &columns.side_force)
+        .series("aligningMoment", &columns.aligning_moment)
+        .series("springTorque", &columns.spring_torque)
+        .done()
+}
+
+pub(super) fn force_laws(laws: &ForceLaws) -> JsValue {
+    let Kinks { side_force_limit_angle, aligning_moment_limit_angle, freeplay_angle } = laws.kinks;
+    let kinks = Record::new()
+        .maybe("sideForceLimitAngle", side_force_limit_angle)
+        .maybe("aligningMomentLimitAngle", aligning_moment_limit_angle)
+        .maybe("freeplayAngle", freeplay_angle);
+    Record::new()
+        .series("slipAngle", &laws.slip_angle)
+        .series("sideForce", &laws.side_force)
+        .series("aligningMoment", &laws.aligning_moment)
+        .series("torsionAngle", &laws.torsion_angle)
+        .series("restoringMoment", &laws.restoring_moment)
+        .record("kinks", kinks)
+        .done()
+}
+
+pub(super) fn linked_parameters(linked: &LinkedParameters) -> JsValue {
+    Record::new()
+        .number("relaxationLength", linked.relaxation_length)
+        .number("treadWidthMomentConstant", linked.tread_width_moment_constant)
+        .done()
+}
+
+pub(super) fn spectrum(spectrum: &Spectrum) -> JsValue {
+    let peak = spectrum.peak.map_or(JsValue::NULL, |peak| {
+        Record::new().number("frequency", peak.frequency).number("amplitude", peak.amplitude).done()
+    });
+    Record::new()
+        .series("frequency", &spectrum.frequency)
+        .series("amplitude", &spectrum.amplitude)
+        .value("peak", peak)
+        .done()
+}
+
+pub(super) fn routh_hurwitz(verdict: &RouthHurwitz) -> JsValue {
+    Record::new()
+        .truth("stable", verdict.stable)
+        .numbers("column", &verdict.column)
+        .numbers("criticalVelocities", &verdict.critical_velocities)
+        .maybe("criticalDamping", verdict.critical_damping)
+        .done()
+}
+
+pub(super) fn routh_array(array: &RouthArray) -> JsValue {
+    let special = list(&array.special, |special| special.map_or(JsValue::NULL, |special| special.name().into()));
+    let replaced = list(&array.replaced, |row| row.as_ref().map_or(JsValue::NULL, |row| numbers(row)));
+    Record::new()
+        .numbers("coefficients", &array.coefficients)
+        .value("rows", list(&array.rows, |row| numbers(row)))
+        .value("special", special)
+        .value("replaced", replaced)
+        .number("unstableRoots", array.unstable_roots as f64)
+        .number("neutralRoots", array.neutral_roots as f64)
+        .truth("stable", array.stable)
+        .done()
+}
+
+pub(super) fn unstable_interval(interval: &UnstableInterval) -> JsValue {
+    Record::new()
+        .number("from", interval.from)
+        .number("to", interval.to)
+        .text("fromKind", interval.from_kind.name())
+        .text("toKind", interval.to_kind.name())
+        .done()
+}
+
+pub(super) fn crossing(crossing: &Crossing) -> JsValue {
+    Record::new()
+        .number("value", crossing.value)
+        .text("kind", crossing.kind.name())
+        .number("frequency", crossing.frequency)
+        .done()
+}
+
+fn complex_of(value: Complex<f64>) -> Record {
+    Record::new().number("re", value.re).number("im", value.im)
+}
+
+pub(super) fn complex(value: Complex<f64>) -> JsValue {
+    complex_of(value).done()
+}
+
+pub(super) fn eigenmode(states: &[StateVariable], mode: &Eigenmode) -> JsValue {
+    let shape = states.iter().zip(&mode.shape).fold(Record::new(), |shape, (state, part)| {
+        let phasor = complex_of(*part).number("amplitude", part.norm()).number("lag", (-part.im).atan2(part.re));
+        shape.record(state.name, phasor)
+    });
+    Record::new()
+        .value("eigenvalue", complex(mode.eigenvalue))
+        .maybe("dampingRatio", mode.damping_ratio)
+        .number("naturalFrequency", mode.natural_frequency)
+        .maybe("timeToHalf", mode.time_to_half)
+        .maybe("timeToDouble", mode.time_to_double)
+        .text("reference", states[mode.reference].name)
+        .record("shape", shape)
+        .value("energyFlow", mode.energy_flow.as_ref().map_or(JsValue::NULL, energy_flow))
+        .done()
+}
+
+fn energy_flow(flow: &EnergyFlow) -> JsValue {
+    Record::new()
+        .number("tire", flow.tire)
+        .number("damper", flow.damper)
+        .number("treadWidth", flow.tread_width)
+        .number("kinetic", flow.kinetic)
+        .number("spring", flow.spring)
+        .number("stored", flow.stored)
+        .done()
+}
+
+/// Fields without a value are `null`, and lists empty, where none was found.
+pub(super) fn limit_cycle(states: &[StateVariable], found: Option<&LimitCycle>) -> JsValue {
+    let truth = |truth: Option<bool>| truth.map_or(JsValue::NULL, JsValue::from);
+    let (amplitude, multipliers) = found.map_or((&[][..], &[][..]), |cycle| (&cycle.amplitude, &cycle.multipliers));
+    let orbit = found.map_or_else(
+        || columns_of(states, &[], &vec![Vec::new(); states.len()]).done(),
+        |cycle| columns(states, &cycle.orbit),
+    );
+    Record::new()
+        .truth("found", found.is_some())
+        .maybe("period", found.map(|cycle| cycle.period))
+        .maybe("frequency", found.map(|cycle| cycle.frequency))
+        .value("stable", truth(found.map(|cycle| cycle.stable)))
+        .value("symmetric", truth(found.map(|cycle| cycle.symmetric)))
+        .record("amplitude", by_state(states, amplitude))
+        .value("multipliers", list(multipliers, |value| complex(*value)))
+        .value("orbit", orbit)
+        .done()
+}
+
+pub(super) fn predicted(cycle: &Predicted) -> JsValue {
+    let amplitude = Record::new()
+        .number("torsionAngle", cycle.amplitude.torsion_angle)
+        .number("lateralDeformation", cycle.amplitude.lateral_deformation)
+        .number("slipAngle", cycle.amplitude.slip_angle);
+    Record::new()
+        .record("amplitude", amplitude)
+        .number("frequency", cycle.frequency)
+        .truth("stable", cycle.stable)
+        .done()
+}
+
+pub(super) fn hopf_curve(curve: &HopfCurve) -> JsValue {
+    Record::new()
+        .series("x", &curve.x)
+        .series("y", &curve.y)
+        .series("frequency", &curve.frequency)
+        .text("kind", curve.kind.name())
+        .truth("closed", curve.closed)
+        .truth("bounds", curve.bounds)
+        .done()
+}
+
+/// What there is of a map.
+pub(super) fn stability_map(map: &StabilityMap) -> crate::Result<JsValue> {
+    let (cells, wanted) = (map.cells(), map.spec().quantities);
+    let mut record = Record::new()
+        .bytes("stable", &cells.stable[..cells.made])
+        .maybe("stablePercent", map.stable_percent())
+        .maybe("stableArea", map.stable_area()?);
+    if wanted.growth_rate {
+        record = record.series("growthRate", &cells.growth_rate[..cells.made]);
+    }
+    if wanted.frequency {
+        record = record.series("frequency", &cells.frequency[..cells.made]);
+    }
+    if wanted.kind {
+        record = record.bytes("kind", &cells.kind[..cells.made]).names("kinds", &KINDS);
+    }
+    Ok(record.done())
 }

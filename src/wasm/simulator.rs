@@ -2,11 +2,15 @@
 
 use std::cell::RefCell;
 
-use js_sys::{Array, Float64Array, Object, Uint8Array};
+use js_sys::Uint8Array;
 use wasm_bindgen::prelude::*;
 
-use super::{input, output, read_run};
+use super::{
+    input, output,
+    record::{Record, numbers, series},
+};
 use crate::{
+    Run,
     error::{Code, Error, Result},
     live,
     run::Value,
@@ -21,7 +25,8 @@ impl Simulator {
     /// A live motion that starts as the run does.
     #[wasm_bindgen(constructor)]
     pub fn new(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> std::result::Result<Simulator, JsValue> {
-        read_run(&run)?.live().map(|motion| Self(RefCell::new(motion))).map_err(output::error)
+        let motion = input::value(&run, "run").and_then(|value| Run::read(&value)?.live());
+        motion.map(|motion| Self(RefCell::new(motion))).map_err(output::error)
     }
 
     /// The time shown, in s.
@@ -33,7 +38,7 @@ impl Simulator {
     /// Earliest and latest time that can be sought, in s.
     #[wasm_bindgen(getter, unchecked_return_type = "[number, number]")]
     pub fn range(&self) -> std::result::Result<JsValue, JsValue> {
-        self.with(|motion| Ok(motion.range().iter().map(|t| JsValue::from(*t)).collect::<Array>().into()))
+        self.with(|motion| Ok(numbers(&motion.range())))
     }
 
     /// Goes on by `dt` ≥ 0 s.
@@ -47,18 +52,15 @@ impl Simulator {
     /// The state at the time shown, in the order of the state table.
     #[wasm_bindgen(unchecked_return_type = "Float64Array")]
     pub fn state(&self) -> std::result::Result<JsValue, JsValue> {
-        self.with(|motion| Ok(Float64Array::from(motion.state().as_slice()).into()))
+        self.with(|motion| Ok(series(&motion.state())))
     }
 
     /// The parameters at the time shown, by name.
     #[wasm_bindgen(unchecked_return_type = "Record<string, number>")]
     pub fn parameters(&self) -> std::result::Result<JsValue, JsValue> {
         self.with(|motion| {
-            let record = Object::new();
-            for (parameter, value) in motion.description().parameters.iter().zip(motion.parameters()) {
-                output::put(&record, parameter.name, &value.into());
-            }
-            Ok(record.into())
+            let values = motion.description().parameters.iter().zip(motion.parameters());
+            Ok(values.fold(Record::new(), |record, (parameter, value)| record.number(parameter.name, value)).done())
         })
     }
 
@@ -131,7 +133,7 @@ impl Simulator {
     ) -> std::result::Result<JsValue, JsValue> {
         self.with(|motion| {
             let columns = motion.trace(input::number(&max, "max", "a whole number from 2 to 1e7")?)?;
-            Ok(output::columns(motion.description().state, columns).into())
+            Ok(output::columns(motion.description().state, &columns))
         })
     }
 
@@ -147,7 +149,7 @@ impl Simulator {
             let (from, to) = window(&from, &to)?;
             let columns =
                 motion.history(from, to, input::number(&samples, "samples", "a whole number from 2 to 1e7")?)?;
-            Ok(output::columns(motion.description().state, columns).into())
+            Ok(output::columns(motion.description().state, &columns))
         })
     }
 
@@ -163,7 +165,7 @@ impl Simulator {
             let (from, to) = window(&from, &to)?;
             let envelope =
                 motion.envelope(from, to, input::number(&buckets, "buckets", "a whole number from 1 to 1e7")?)?;
-            Ok(output::envelope(&envelope).into())
+            Ok(output::envelope(&envelope))
         })
     }
 }

@@ -2,8 +2,6 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use serde::Serialize;
-
 use super::Laws;
 use crate::{
     element::tire_law::TireLaw,
@@ -41,8 +39,7 @@ pub struct ForceLaws {
 }
 
 /// Angles at which laws bend \[rad\]; none where they do not.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kinks {
     /// δ.
     pub side_force_limit_angle: Option<f64>,
