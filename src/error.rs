@@ -225,8 +225,10 @@ pub fn nearest(name: &str, known: &[&'static str]) -> Option<&'static str> {
         return None;
     }
     // What stands within a known name stands for it: damping for dampingConstant.
-    let part = name.to_ascii_lowercase();
-    let holds = |candidate: &&str| part.len() >= 3 && candidate.to_ascii_lowercase().contains(&part);
+    let part = name.as_bytes();
+    let holds = |candidate: &&str| {
+        part.len() >= 3 && candidate.as_bytes().windows(part.len()).any(|window| window.eq_ignore_ascii_case(part))
+    };
     if let Some(candidate) = known.iter().copied().find(holds) {
         return Some(candidate);
     }

@@ -5,6 +5,7 @@ mod gear;
 mod linear;
 mod parse;
 mod problem;
+mod set;
 mod value;
 
 pub(crate) use fields::Fields;
@@ -15,22 +16,18 @@ pub use value::Value;
 use crate::{
     cycles::{Guess, LimitCycle},
     energy::Energy,
-    error::{Code, Error, Result, shown},
+    error::{Code, Error, Result},
     integrate::{Method, Output, Scheme, Trajectory},
     live::Simulator,
     model::{self, Description},
     outlook::{HORIZON, Outlook},
-    parameter::{Parameter, Validity, check_number, parameter_index, state_index},
+    parameter::Parameter,
 };
 
 /// Most samples, and most times, of one trajectory.
 pub const MOST_SAMPLES: usize = 10_000_000;
-/// Most steps that can be asked for.
-const MOST_STEPS: f64 = 1e9;
 /// Duration of a run that does not say, in s.
 const DURATION: f64 = 2.0;
-/// Tolerances that double precision can serve.
-const RTOL: std::ops::RangeInclusive<f64> = 1e-14..=0.1;
 
 /// A run, checked: whatever is in it makes sense.
 ///
@@ -79,9 +76,7 @@ impl Run {
     /// # Errors
     /// An unknown name, or a value that is not valid for it.
     pub fn with(mut self, name: &str, value: f64) -> Result<Self> {
-        let table = self.table();
-        let index = parameter_index(table, name)?;
-        self.parameters[index] = table[index].check(value)?;
+        self.set_parameter(name, value)?;
         Ok(self)
     }
 
@@ -90,9 +85,7 @@ impl Run {
     /// # Errors
     /// An unknown name, or a value that is not finite.
     pub fn starting(mut self, name: &str, value: f64) -> Result<Self> {
-        let states = self.description().state;
-        let index = state_index(states, name).map_err(|error| error.called("initial"))?;
-        self.initial[index] = check_number(name, value, Validity::Finite, states[index].unit)?;
+        self.set_initial(name, value)?;
         Ok(self)
     }
 
@@ -101,7 +94,7 @@ impl Run {
     /// # Errors
     /// A duration that is not > 0.
     pub fn lasting(mut self, duration: f64) -> Result<Self> {
-        self.duration = Some(check_number("duration", duration, Validity::Positive, "s")?);
+        self.set_duration(duration)?;
         Ok(self)
     }
 
@@ -110,7 +103,7 @@ impl Run {
     /// # Errors
     /// An unknown name, with the nearest known one.
     pub fn by(mut self, name: &str) -> Result<Self> {
-        self.method = Method::named(name)?;
+        self.set_method(name)?;
         Ok(self)
     }
 
@@ -119,7 +112,7 @@ impl Run {
     /// # Errors
     /// A step that is not > 0.
     pub fn stepping(mut self, step: f64) -> Result<Self> {
-        self.step = check_number("step", step, Validity::Positive, "s")?;
+        self.set_step(step)?;
         Ok(self)
     }
 
@@ -128,10 +121,7 @@ impl Run {
     /// # Errors
     /// A tolerance outside of 10⁻¹⁴ … 0.1.
     pub fn within(mut self, rtol: f64) -> Result<Self> {
-        if !RTOL.contains(&rtol) {
-            return Err(Error::new(Code::OutOfRange, "rtol", shown(rtol), "between 1e-14 and 0.1"));
-        }
-        self.rtol = rtol;
+        self.set_rtol(rtol)?;
         Ok(self)
     }
 
@@ -140,7 +130,7 @@ impl Run {
     /// # Errors
     /// A tolerance that is not > 0.
     pub fn within_absolute(mut self, atol: f64) -> Result<Self> {
-        self.atol = Some(check_number("atol", atol, Validity::Positive, "1")?);
+        self.set_atol(atol)?;
         Ok(self)
     }
 
@@ -149,10 +139,7 @@ impl Run {
     /// # Errors
     /// Not a whole number from 1 to 10⁹.
     pub fn at_most(mut self, steps: f64) -> Result<Self> {
-        if !(1.0..=MOST_STEPS).contains(&steps) || steps.fract() != 0.0 {
-            return Err(Error::new(Code::OutOfRange, "maxSteps", shown(steps), "a whole number from 1 to 1e9"));
-        }
-        self.max_steps = steps as u64;
+        self.set_max_steps(steps)?;
         Ok(self)
     }
 
@@ -161,8 +148,7 @@ impl Run {
     /// # Errors
     /// No times, too many, times below 0 or not finite, times that do not ascend.
     pub fn at(mut self, times: Vec<f64>) -> Result<Self> {
-        check_times(&times)?;
-        self.output = Output::Times(times);
+        self.set_times(times)?;
         Ok(self)
     }
 
@@ -171,11 +157,7 @@ impl Run {
     /// # Errors
     /// Not a whole number from 2 to 10⁷.
     pub fn sampled(mut self, samples: f64) -> Result<Self> {
-        if !(2.0..=MOST_SAMPLES as f64).contains(&samples) || samples.fract() != 0.0 {
-            let code = if samples > MOST_SAMPLES as f64 { Code::TooLarge } else { Code::OutOfRange };
-            return Err(Error::new(code, "samples", shown(samples), "a whole number from 2 to 1e7"));
-        }
-        self.output = Output::Samples(samples as usize);
+        self.set_samples(samples)?;
         Ok(self)
     }
 
@@ -279,24 +261,4 @@ impl Run {
     fn table(&self) -> &'static [Parameter] {
         self.description().parameters
     }
-}
-
-fn check_times(times: &[f64]) -> Result<()> {
-    let refused = |code, value: String, allowed: &str| Err(Error::new(code, "times", value, allowed));
-    if times.is_empty() {
-        return refused(Code::OutOfRange, "an empty list".into(), "at least one time");
-    }
-    if times.len() > MOST_SAMPLES {
-        return refused(Code::TooLarge, format!("{} times", times.len()), "at most 1e7 times");
-    }
-    if let Some((i, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
-        return refused(Code::NotFinite, format!("{} at index {i}", shown(*t)), "finite numbers of s");
-    }
-    if times[0] < 0.0 {
-        return refused(Code::OutOfRange, shown(times[0]), "≥ 0 s");
-    }
-    if let Some(i) = (1..times.len()).find(|&i| times[i] < times[i - 1]) {
-        return refused(Code::NotAscending, format!("{} after {}", shown(times[i]), shown(times[i - 1])), "ascending");
-    }
-    check_number("times", times[times.len() - 1], Validity::NonNegative, "s").map(|_| ())
 }

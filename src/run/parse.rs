@@ -10,6 +10,18 @@ const KEYS: [&str; 11] =
 /// Parts that a run may name as absent: none of the models has room for them.
 const ABSENT: [&str; 5] = ["damper", "tire", "friction", "control", "disturbance"];
 
+/// A number of a run: its key, what is allowed, what sets it.
+type NumberField = (&'static str, &'static str, fn(&mut Run, f64) -> Result<()>);
+
+const DURATION: NumberField = ("duration", "> 0 s", Run::set_duration);
+const TOLERANCES_AND_STEPS: [NumberField; 4] = [
+    ("rtol", "between 1e-14 and 0.1", Run::set_rtol),
+    ("atol", "> 0", Run::set_atol),
+    ("step", "> 0 s", Run::set_step),
+    ("maxSteps", "a whole number from 1 to 1e9", Run::set_max_steps),
+];
+const SAMPLES: NumberField = ("samples", "a whole number from 2 to 1e7", Run::set_samples);
+
 impl Run {
     /// Reads a run from a record. A missing key takes its default, an absent value counts as missing.
     ///
@@ -44,44 +56,32 @@ impl Run {
         let mut run = Run::of(text("model", model)?)?;
         if let Some(values) = given("parameters") {
             for (name, value) in present("parameters", values)? {
-                let number = number_of(&run, name, value)?;
-                run = run.with(name, number)?;
+                run.set_parameter(name, number_of(&run, name, value)?)?;
             }
         }
         if let Some(values) = given("initial") {
             for (name, value) in present("initial", values)? {
                 // An unknown name is said before its value is looked at.
-                run = run.starting(name, 0.0)?.starting(name, number(name, value, "a finite number")?)?;
+                run.set_initial(name, 0.0)?;
+                run.set_initial(name, number(name, value, "a finite number")?)?;
             }
         }
-        if let Some(value) = given("duration") {
-            run = run.lasting(number("duration", value, "> 0 s")?)?;
-        }
+        let set = |(key, allowed, set): &NumberField, run: &mut Run| match given(key) {
+            Some(value) => set(run, number(key, value, allowed)?),
+            None => Ok(()),
+        };
+        set(&DURATION, &mut run)?;
         if let Some(value) = given("method") {
-            run = run.by(text("method", value)?)?;
+            run.set_method(text("method", value)?)?;
         }
-        if let Some(value) = given("rtol") {
-            run = run.within(number("rtol", value, "between 1e-14 and 0.1")?)?;
-        }
-        if let Some(value) = given("atol") {
-            run = run.within_absolute(number("atol", value, "> 0")?)?;
-        }
-        if let Some(value) = given("step") {
-            run = run.stepping(number("step", value, "> 0 s")?)?;
-        }
-        if let Some(value) = given("maxSteps") {
-            run = run.at_most(number("maxSteps", value, "a whole number from 1 to 1e9")?)?;
-        }
-        match (given("times"), given("samples")) {
-            (Some(_), Some(_)) => {
+        TOLERANCES_AND_STEPS.iter().try_for_each(|field| set(field, &mut run))?;
+        if let Some(times) = given("times") {
+            if given("samples").is_some() {
                 return Err(Error::new(Code::OutOfRange, "samples", "both", "given without times: one of the two"));
             }
-            (Some(times), None) => run = run.at(numbers("times", times)?)?,
-            (None, Some(samples)) => {
-                run = run.sampled(number("samples", samples, "a whole number from 2 to 1e7")?)?;
-            }
-            (None, None) => {}
+            run.set_times(numbers("times", times)?)?;
         }
+        set(&SAMPLES, &mut run)?;
         Ok(run)
     }
 }

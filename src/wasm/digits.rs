@@ -14,10 +14,15 @@ extern "C" {
 
 /// With an exponent: `1e300`.
 pub(crate) fn with_exponent(value: f64) -> String {
-    exponential(value).replace('+', "")
+    without_plus(exponential(value))
 }
 
 /// With an exponent and four digits: `1.234e-5`.
 pub(crate) fn to_four(value: f64) -> String {
-    exponential_to(value, 3).replace('+', "")
+    without_plus(exponential_to(value, 3))
+}
+
+fn without_plus(mut digits: String) -> String {
+    digits.retain(|digit| digit != '+');
+    digits
 }

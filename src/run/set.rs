@@ -1,0 +1,100 @@
+//! What changes one thing of a run, in place: reading sets one after the other, and a run is large to hand around.
+
+use super::{MOST_SAMPLES, Run};
+use crate::{
+    error::{Code, Error, Result, shown},
+    integrate::{Method, Output},
+    parameter::{Validity, check_number, parameter_index, state_index},
+};
+
+/// Most steps that can be asked for.
+const MOST_STEPS: f64 = 1e9;
+/// Tolerances that double precision can serve.
+const RTOL: std::ops::RangeInclusive<f64> = 1e-14..=0.1;
+
+impl Run {
+    pub(super) fn set_parameter(&mut self, name: &str, value: f64) -> Result<()> {
+        let table = self.table();
+        let index = parameter_index(table, name)?;
+        self.parameters[index] = table[index].check(value)?;
+        Ok(())
+    }
+
+    pub(super) fn set_initial(&mut self, name: &str, value: f64) -> Result<()> {
+        let states = self.description().state;
+        let index = state_index(states, name).map_err(|error| error.called("initial"))?;
+        self.initial[index] = check_number(name, value, Validity::Finite, states[index].unit)?;
+        Ok(())
+    }
+
+    pub(super) fn set_duration(&mut self, duration: f64) -> Result<()> {
+        self.duration = Some(check_number("duration", duration, Validity::Positive, "s")?);
+        Ok(())
+    }
+
+    pub(super) fn set_method(&mut self, name: &str) -> Result<()> {
+        self.method = Method::named(name)?;
+        Ok(())
+    }
+
+    pub(super) fn set_step(&mut self, step: f64) -> Result<()> {
+        self.step = check_number("step", step, Validity::Positive, "s")?;
+        Ok(())
+    }
+
+    pub(super) fn set_rtol(&mut self, rtol: f64) -> Result<()> {
+        if !RTOL.contains(&rtol) {
+            return Err(Error::new(Code::OutOfRange, "rtol", shown(rtol), "between 1e-14 and 0.1"));
+        }
+        self.rtol = rtol;
+        Ok(())
+    }
+
+    pub(super) fn set_atol(&mut self, atol: f64) -> Result<()> {
+        self.atol = Some(check_number("atol", atol, Validity::Positive, "1")?);
+        Ok(())
+    }
+
+    pub(super) fn set_max_steps(&mut self, steps: f64) -> Result<()> {
+        if !(1.0..=MOST_STEPS).contains(&steps) || steps.fract() != 0.0 {
+            return Err(Error::new(Code::OutOfRange, "maxSteps", shown(steps), "a whole number from 1 to 1e9"));
+        }
+        self.max_steps = steps as u64;
+        Ok(())
+    }
+
+    pub(super) fn set_times(&mut self, times: Vec<f64>) -> Result<()> {
+        check_times(&times)?;
+        self.output = Output::Times(times);
+        Ok(())
+    }
+
+    pub(super) fn set_samples(&mut self, samples: f64) -> Result<()> {
+        if !(2.0..=MOST_SAMPLES as f64).contains(&samples) || samples.fract() != 0.0 {
+            let code = if samples > MOST_SAMPLES as f64 { Code::TooLarge } else { Code::OutOfRange };
+            return Err(Error::new(code, "samples", shown(samples), "a whole number from 2 to 1e7"));
+        }
+        self.output = Output::Samples(samples as usize);
+        Ok(())
+    }
+}
+
+fn check_times(times: &[f64]) -> Result<()> {
+    let refused = |code, value: String, allowed: &str| Err(Error::new(code, "times", value, allowed));
+    if times.is_empty() {
+        return refused(Code::OutOfRange, "an empty list".into(), "at least one time");
+    }
+    if times.len() > MOST_SAMPLES {
+        return refused(Code::TooLarge, format!("{} times", times.len()), "at most 1e7 times");
+    }
+    if let Some((i, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
+        return refused(Code::NotFinite, format!("{} at index {i}", shown(*t)), "finite numbers of s");
+    }
+    if times[0] < 0.0 {
+        return refused(Code::OutOfRange, shown(times[0]), "≥ 0 s");
+    }
+    if let Some(i) = (1..times.len()).find(|&i| times[i] < times[i - 1]) {
+        return refused(Code::NotAscending, format!("{} after {}", shown(times[i]), shown(times[i - 1])), "ascending");
+    }
+    check_number("times", times[times.len() - 1], Validity::NonNegative, "s").map(|_| ())
+}
