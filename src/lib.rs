@@ -65,6 +65,7 @@ pub mod cycles;
 pub mod element;
 pub mod energy;
 pub mod error;
+mod few;
 pub mod integrate;
 pub mod live;
 pub mod model;

@@ -1,5 +1,7 @@
 //! Series for drawing, and how they are thinned without losing a peak.
 
+use crate::few::sort_few;
+
 /// A series: times and one column per state variable.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {
@@ -134,22 +136,10 @@ pub(super) fn rows_to_keep(columns: &[&[f64]], most: usize) -> Vec<usize> {
             kept.extend((from..to).min_by(order));
             kept.extend((from..to).max_by(order));
         }
-        sort_few(&mut kept[start..]);
+        sort_few(&mut kept[start..], |a, b| a < b);
     }
     kept.dedup();
     kept
-}
-
-/// Sorts a handful: two rows a column. (The standard library's sort is made for many, and costs a kilobyte of the module.)
-fn sort_few(rows: &mut [usize]) {
-    for sorted in 1..rows.len() {
-        for i in (0..sorted).rev() {
-            if rows[i] <= rows[i + 1] {
-                break;
-            }
-            rows.swap(i, i + 1);
-        }
-    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,10 @@
 use nalgebra::{Complex, DMatrix};
 
 use super::characteristic_bounded;
-use crate::error::{Error, Result};
+use crate::{
+    error::{Error, Result},
+    few::sort_few,
+};
 
 /// Most sweeps for one eigenvalue; it takes two or three.
 const SWEEPS: usize = 100;
@@ -100,13 +103,7 @@ fn sort(values: &mut [Complex<f64>]) {
     let before = |a: &Complex<f64>, b: &Complex<f64>| {
         a.re > b.re || (a.re == b.re && (a.im.abs() < b.im.abs() || (a.im == -b.im && a.im > b.im)))
     };
-    for end in 1..values.len() {
-        for i in (0..end).rev() {
-            if before(&values[i + 1], &values[i]) {
-                values.swap(i, i + 1);
-            }
-        }
-    }
+    sort_few(values, before);
 }
 
 /// Scales the states by powers of two, which costs no digit, until each row is about as large as its column; gives back

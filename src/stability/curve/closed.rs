@@ -1,10 +1,13 @@
 //! Boundaries that are zeros of polynomials.
 
 use super::{Boundary, Crossing, CurveKind, Point};
-use crate::stability::{
-    Plane,
-    form::{Form, Patch, column, put_column},
-    line::{Bernstein, Crossings, DEEPEST, Line, parts},
+use crate::{
+    few::sort_few,
+    stability::{
+        Plane,
+        form::{Form, Patch, column, put_column},
+        line::{Bernstein, Crossings, DEEPEST, Line, parts},
+    },
 };
 
 /// How often the square is cut in four at most, and how many boxes are looked at: a curve that meets itself takes some at
@@ -105,7 +108,7 @@ impl Boundary for ClosedForm {
             *first != (crossings.list().iter().filter(|crossing| **crossing < x).count() % 2 == 1)
         };
         let mut cuts = [calms.1.list(), stays.1.list(), &[0.0, 1.0]].concat();
-        cuts.sort_by(f64::total_cmp);
+        sort_few(&mut cuts, |a, b| a < b);
         let stable = |two: &&[f64]| {
             let middle = two[0].midpoint(two[1]);
             holds(&calms, middle) && holds(&stays, middle)
