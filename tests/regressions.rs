@@ -1,7 +1,7 @@
 //! Runs that once had a wrong answer, or none.
 #![cfg(not(target_arch = "wasm32"))]
 
-use shimmy::{Code, Run, run::Value};
+use shimmy::{Code, Run, model::laws::Curves, run::Value};
 
 fn gear(parameters: &[(&str, f64)]) -> Run {
     parameters.iter().fold(Run::of("torsional").unwrap(), |run, (name, value)| run.with(name, *value).unwrap())
@@ -87,5 +87,36 @@ fn parts_that_no_model_takes_may_be_absent_and_nothing_else() {
         assert!(read(part, Value::Absent).is_ok(), "{part}");
         let error = read(part, Value::Record(Vec::new())).unwrap_err();
         assert_eq!((error.code, error.field.as_str()), (Code::Unsuited, part));
+    }
+}
+
+/// π/α_g was infinite, and the aligning moment of no slip not a number: in curves to draw, and at rest.
+#[test]
+fn an_aligning_moment_that_ends_next_to_zero_is_a_number() {
+    let curves = Curves::new(0.3, 0.3, 3.0).unwrap();
+    for limit in [5e-324, 1e-310, 1.7e-308] {
+        let run = gear(&[("aligningMomentLimitAngle", limit)]);
+        let laws = run.force_laws(&curves).unwrap();
+        assert!(laws.slip_angle.contains(&limit) && laws.slip_angle.contains(&0.0));
+        // It is below C_Mα α_g/π where it is at all.
+        assert!(
+            laws.aligning_moment.iter().all(|moment| moment.abs() <= 18_000.0 * limit),
+            "{:?}",
+            laws.aligning_moment
+        );
+        for y in [0.0, 5e-324, 0.01] {
+            assert!(run.forces(&[0.0, 0.0, y]).unwrap().aligning_moment.abs() <= 18_000.0 * limit);
+        }
+        // As good as a tire without one.
+        let moved = |run: Run| {
+            run.starting("torsionAngle", 0.05).unwrap().lasting(0.1).unwrap().sampled(11.0).unwrap().simulate()
+        };
+        let without = gear(&[("aligningMomentLimitAngle", limit), ("aligningMomentDerivative", 0.0)]);
+        for (with, without) in moved(run).unwrap().states.iter().zip(&moved(without).unwrap().states) {
+            assert!(
+                with.iter().zip(without).all(|(with, without)| (with - without).abs() < 1e-6),
+                "{with:?} {without:?}"
+            );
+        }
     }
 }

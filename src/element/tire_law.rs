@@ -78,8 +78,10 @@ impl PiecewiseTireLaw {
     /// M_z \[N m\] at the slip ratio q.
     pub fn aligning_moment<R: Real>(&self, q: R, side: Side) -> R {
         let limit = self.aligning_limit_angle;
+        // Of a limit next to 0 the wave is shorter than a number can say, and so low that it does not matter.
+        let turning = (PI / limit).min(f64::MAX);
         match side {
-            Side::Within => (q.atan() * (PI / limit)).sin() * (-self.aligning_stiffness * limit / PI),
+            Side::Within => (q.atan() * turning).sin() * (-self.aligning_stiffness * limit / PI),
             Side::Above | Side::Below => R::from(0.0),
         }
     }
