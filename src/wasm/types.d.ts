@@ -198,9 +198,9 @@ export interface StabilityMap {
   kinds?: ['monotonic', 'oscillatory'];
 }
 /**
- * A curve in a plane at which eigenvalues cross the imaginary axis, as a polyline: straight lines are within 1e-4 of the
- * plane's size from it. What crosses is left of the axis at the curve's own left (x to the right, y up). It ends at the
- * edge of the plane, exactly, or where what crosses changes.
+ * A curve in a plane at which eigenvalues cross the imaginary axis, as a polyline: straight lines are within the `accuracy`
+ * asked for from it. What crosses is left of the axis at the curve's own left (x to the right, y up). It ends at the edge
+ * of the plane, exactly, or where what crosses changes.
  */
 export interface HopfCurve {
   x: Float64Array;
