@@ -4,12 +4,12 @@
 mod common;
 
 use common::{
-    planes::{Case, distance, gear, integral, place},
+    planes::{Case, gear, integral, nearest, place},
     random::Random,
 };
 use shimmy::{
     model::{Model, Torsional},
-    stability::{CurveKind, EndKind, Links},
+    stability::{CurveKind, Links},
 };
 
 /// theory.md 8.1: stable above e = σ + a = 0.4, and from −0.6556, where it falls, to −t = −0.1.
@@ -73,18 +73,12 @@ fn degenerate_planes_have_all_their_curves_and_their_area() {
             let area = case.plane.stable_area().unwrap();
             assert!((area - expected).abs() < 1e-4, "{}: {area} % for {expected} %", case.what());
             let curves = case.plane.hopf_curves().unwrap();
-            for row in 0..10 {
-                let part = (f64::from(row) + random.unit()) / 10.0;
-                let (_, low, high) = case.axes[1];
-                for (x, kind) in case.ends_of_row(part) {
-                    let at = case.unit(x, low + (high - low) * part);
-                    // A boundary on the plane's own edge bounds nothing in it.
-                    if kind == EndKind::Range || at[0].min(1.0 - at[0]) < 1e-9 {
-                        continue;
-                    }
-                    let nearest =
-                        curves.iter().fold(f64::INFINITY, |least, curve| least.min(distance(&case, curve, at)));
-                    assert!(nearest < 1e-4, "{} at {at:?}: no {kind:?} curve nearer than {nearest}", case.what());
+            for (at, kind) in case.meetings(&mut random, 10) {
+                // A boundary on the plane's own edge bounds nothing in it.
+                if at[0].min(1.0 - at[0]) >= 1e-9 {
+                    // Any kind: without spring and damping both conditions are zero in the same place.
+                    let off = nearest(&case, &curves, at);
+                    assert!(off < 2e-6, "{} at {at:?}: no curve, by {kind:?}, nearer than {off}", case.what());
                     crossings += 1;
                 }
             }

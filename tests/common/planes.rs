@@ -6,7 +6,7 @@ use shimmy::{
     model::{Model, System, Torsional},
     parameter::Parameter,
     real::Dual,
-    stability::{EndKind, HopfCurve, Links, Plane, Variation},
+    stability::{CurveKind, EndKind, HopfCurve, Links, Plane, Variation},
 };
 
 use super::random::Random;
@@ -127,6 +127,23 @@ impl Case {
         let ends = self.ends_of_row(part);
         1.0 - ends.chunks(2).map(|two| two[1].0 - two[0].0).sum::<f64>() / (self.axes[0].2 - self.axes[0].1)
     }
+
+    /// Where the row at a random height in each of so many equal stripes meets the boundary, in parts of the way, and what
+    /// crosses there: where no curve is near, one is missed.
+    pub fn meetings(&self, random: &mut Random, stripes: u32) -> Vec<([f64; 2], CurveKind)> {
+        let (_, low, high) = self.axes[1];
+        let row = |stripe: u32| {
+            let part = (f64::from(stripe) + random.unit()) / f64::from(stripes);
+            let kind = |end: EndKind| match end {
+                EndKind::Hopf => Some(CurveKind::Hopf),
+                EndKind::Divergence => Some(CurveKind::Divergence),
+                EndKind::Range => None,
+            };
+            let at = move |x| self.unit(x, low + (high - low) * part);
+            self.ends_of_row(part).into_iter().filter_map(move |(x, end)| Some((at(x), kind(end)?)))
+        };
+        (0..stripes).flat_map(row).collect()
+    }
 }
 
 pub fn place(name: &str) -> usize {
@@ -155,6 +172,11 @@ pub fn distance(case: &Case, curve: &HopfCurve, at: [f64; 2]) -> f64 {
         let part = ((way[0] * to[0] + way[1] * to[1]) / (way[0] * way[0] + way[1] * way[1])).clamp(0.0, 1.0);
         least.min((to[0] - part * way[0]).hypot(to[1] - part * way[1]))
     })
+}
+
+/// How far it is to the nearest of some curves.
+pub fn nearest<'a>(case: &Case, curves: impl IntoIterator<Item = &'a HopfCurve>, at: [f64; 2]) -> f64 {
+    curves.into_iter().fold(f64::INFINITY, |least, curve| least.min(distance(case, curve, at)))
 }
 
 /// ∫ f over 0 … 1 by Simpson's rule, halved where it is not good enough, jumps and roots included.
