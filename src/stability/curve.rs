@@ -14,8 +14,7 @@ use crate::{
 };
 use closed::ClosedForm;
 use eigen::Eigenvalues;
-use pieces::Branch;
-use trace::branches;
+use pieces::{Branch, branches};
 
 /// A point of the unit square that stands for the plane's rectangle.
 type Point = [f64; 2];
@@ -30,6 +29,8 @@ pub enum CurveKind {
 }
 
 impl CurveKind {
+    const BOTH: [Self; 2] = [Self::Hopf, Self::Divergence];
+
     /// Public name.
     pub fn name(self) -> &'static str {
         match self {
@@ -37,10 +38,6 @@ impl CurveKind {
             Self::Divergence => "divergence",
         }
     }
-}
-
-impl CurveKind {
-    const BOTH: [Self; 2] = [Self::Hopf, Self::Divergence];
 }
 
 /// A curve in a plane at which eigenvalues cross the imaginary axis, whatever the others do.

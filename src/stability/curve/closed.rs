@@ -131,8 +131,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Looks at a box from ends to ends. Where the slope in one direction has one sign, no curve closes within it: all leave
-    /// through its edges.
-    /// Otherwise its quarters are to be looked at, if it may be cut `finer`.
+    /// through its edges. Otherwise its quarters are to be looked at, if it may be cut `finer`.
     fn visit(&mut self, b: &Patch, ends: [[f64; 2]; 2], finer: u32) {
         let (across, along) = (self.form.across, self.form.along);
         let (mut signs, mut across_signs, mut along_signs) = ([false; 2], [false; 2], [false; 2]);

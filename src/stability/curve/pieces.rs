@@ -1,7 +1,7 @@
 //! Pieces of a boundary along each of which one thing crosses.
 
 use super::{
-    Crossing, CurveKind,
+    Boundary, Crossing, CurveKind,
     geometry::{between, length, mixed},
     trace::{ON_EDGE, Spot, Tracer},
 };
@@ -16,9 +16,21 @@ pub(super) struct Branch {
     pub bounds: bool,
 }
 
+/// All branches in the unit square, within `tolerance` of straight lines between their spots.
+pub(super) fn branches(boundary: &dyn Boundary, tolerance: f64) -> Vec<Branch> {
+    let mut all = Vec::new();
+    for kind in CurveKind::BOTH {
+        let tracer = Tracer { boundary, kind, tolerance };
+        for trace in tracer.traces() {
+            tracer.cut(&trace, &mut all);
+        }
+    }
+    all
+}
+
 impl Tracer<'_> {
     /// Adds the parts of a curve along each of which one thing crosses.
-    pub fn cut(&self, trace: &[Spot], pieces: &mut Vec<Branch>) {
+    fn cut(&self, trace: &[Spot], pieces: &mut Vec<Branch>) {
         let crossing = |spot: &Spot| self.boundary.crossing(self.kind, spot.at);
         let same = |a: Option<Crossing>, b: Option<Crossing>| a.map(|a| a.bounds) == b.map(|b| b.bounds);
         let first = pieces.len();
@@ -101,7 +113,7 @@ fn on_edge(mut spot: Spot) -> Spot {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Boundary, Point, geometry::cross, trace::branches};
+    use super::super::{Point, geometry::cross};
     use super::*;
 
     /// A boundary given by functions.

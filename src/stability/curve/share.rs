@@ -3,8 +3,8 @@
 use super::{
     Boundary, ClosedForm, Eigenvalues,
     geometry::{between, cross, dot, length},
-    pieces::Branch,
-    trace::{Spot, branches},
+    pieces::{Branch, branches},
+    trace::Spot,
 };
 use crate::{error::Result, stability::Plane};
 

@@ -3,7 +3,6 @@
 use super::{
     Boundary, CurveKind, Point,
     geometry::{ahead, between, cross, dot, length, mixed},
-    pieces::Branch,
 };
 
 /// The length of a first step, of the longest, and of one that gets nowhere.
@@ -33,29 +32,6 @@ impl Spot {
     }
 }
 
-/// All branches in the unit square, within `tolerance` of straight lines between their points.
-pub(super) fn branches(boundary: &dyn Boundary, tolerance: f64) -> Vec<Branch> {
-    let mut all = Vec::new();
-    for kind in CurveKind::BOTH {
-        let tracer = Tracer { boundary, kind, tolerance };
-        let mut traces: Vec<Vec<Spot>> = Vec::new();
-        for seed in boundary.seeds(kind) {
-            if traces.iter().any(|trace| trace.windows(2).any(|two| crosses(two[0].at, two[1].at, seed))) {
-                continue;
-            }
-            let Some(start) = tracer.on(seed) else { continue };
-            if !traces.iter().any(|trace| tracer.passes(trace, &start)) {
-                let trace = tracer.trace(start);
-                if !along_edge(&trace) {
-                    tracer.cut(&trace, &mut all);
-                }
-                traces.push(trace);
-            }
-        }
-    }
-    all
-}
-
 /// Whether all of a curve is on one edge of the square.
 fn along_edge(trace: &[Spot]) -> bool {
     let on = |axis: usize, edge: f64| trace.iter().all(|spot| (spot.at[axis] - edge).abs() <= ON_EDGE);
@@ -66,10 +42,27 @@ fn along_edge(trace: &[Spot]) -> bool {
 pub(super) struct Tracer<'a> {
     pub boundary: &'a dyn Boundary,
     pub kind: CurveKind,
-    tolerance: f64,
+    /// How far a curve may be from the straight lines between its spots.
+    pub tolerance: f64,
 }
 
 impl Tracer<'_> {
+    /// All curves in the unit square but those along its edges; where one is closed its last spot is its first.
+    pub fn traces(&self) -> Vec<Vec<Spot>> {
+        let mut traces: Vec<Vec<Spot>> = Vec::new();
+        for seed in self.boundary.seeds(self.kind) {
+            if traces.iter().any(|trace| trace.windows(2).any(|two| crosses(two[0].at, two[1].at, seed))) {
+                continue;
+            }
+            let Some(start) = self.on(seed) else { continue };
+            if !traces.iter().any(|trace| self.passes(trace, &start)) {
+                traces.push(self.trace(start));
+            }
+        }
+        traces.retain(|trace| !along_edge(trace));
+        traces
+    }
+
     /// The point of the curve next to a point, no farther than `reach`.
     pub fn spot(&self, from: Point, reach: f64) -> Option<Spot> {
         let mut at = from;
