@@ -5,6 +5,7 @@ use nalgebra::{Complex, DMatrix};
 use super::{flow::Flow, square::Square};
 use crate::{
     error::Result,
+    few::sort_few,
     stability::{Triangle, eigenvalues},
 };
 
@@ -167,13 +168,7 @@ fn told(x: Vec<f64>, time: f64, matrix: &Square, sign: f64) -> Result<Option<Per
         });
     }
     // They come by falling real part, and of a pair the positive one first; the sizes of a pair are the same.
-    for end in 1..n {
-        for i in (0..end).rev() {
-            if multipliers[i + 1].norm_sqr() > multipliers[i].norm_sqr() {
-                multipliers.swap(i, i + 1);
-            }
-        }
-    }
+    sort_few(&mut multipliers, |a, b| a.norm_sqr() > b.norm_sqr());
     let from_one = |value: &Complex<f64>| (value - 1.0).norm();
     let trivial =
         (0..n).fold(0, |best, i| if from_one(&multipliers[i]) < from_one(&multipliers[best]) { i } else { best });
