@@ -7,7 +7,7 @@ use crate::{
     error::Result,
     parameter::parameter_index,
     stability::{
-        Bounded, Crossing, Eigenmode, EndKind, Linearisation, Polynomial, RouthArray, RouthHurwitz, TorsionalTheory,
+        Bounded, Crossing, CurveKind, Eigenmode, Linearisation, Polynomial, RouthArray, RouthHurwitz, TorsionalTheory,
         UnstableInterval, Variation, characteristic_bounded, crossings, linearised,
     },
 };
@@ -100,7 +100,7 @@ impl Run {
             stable: array.stable,
             column: array.column(),
             critical_velocities: search(&["velocity"], VELOCITIES)?.iter().map(|crossing| crossing.value).collect(),
-            critical_damping: dampings.iter().rfind(|crossing| crossing.kind == EndKind::Hopf).map(|last| last.value),
+            critical_damping: dampings.iter().rfind(|crossing| crossing.kind == CurveKind::Hopf).map(|last| last.value),
         })
     }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{EndKind, eigenvalues::eigenvalues};
+use super::{CurveKind, eigenvalues::eigenvalues};
 use crate::error::Result;
 use nalgebra::{Complex, DMatrix};
 
@@ -11,8 +11,8 @@ use nalgebra::{Complex, DMatrix};
 pub struct Crossing {
     /// The parameter, in its unit.
     pub value: f64,
-    /// A pair (`Hopf`) or a real eigenvalue (`Divergence`).
-    pub kind: EndKind,
+    /// A pair, or a real eigenvalue.
+    pub kind: CurveKind,
     /// Of the swing that neither grows nor fades there \[Hz\]; 0 at a divergence.
     pub frequency: f64,
 }
@@ -54,7 +54,7 @@ pub(crate) fn crossings(spectrum: Spectrum, from: f64, to: f64) -> Result<Vec<Cr
     let geometric = from > 0.0 && to > 2.0 * from;
     let value = |part: f64| if geometric { from * (to / from).powf(part) } else { from + (to - from) * part };
     let mut found: Vec<Crossing> = Vec::new();
-    for kind in [EndKind::Hopf, EndKind::Divergence] {
+    for kind in CurveKind::BOTH {
         let mut search = Search { kind, at: &|part| spectrum(value(part)), roots: Vec::new() };
         for piece in 0..PIECES {
             let end = |i: usize| i as f64 / PIECES as f64;
@@ -72,7 +72,7 @@ pub(crate) fn crossings(spectrum: Spectrum, from: f64, to: f64) -> Result<Vec<Cr
 }
 
 struct Search<'a> {
-    kind: EndKind,
+    kind: CurveKind,
     /// Eigenvalues, by the part of the range that lies behind, from 0 to 1.
     at: Spectrum<'a>,
     /// In the same measure, ascending.
@@ -92,8 +92,8 @@ impl Search<'_> {
         };
         for (i, value) in values.iter().enumerate() {
             match self.kind {
-                EndKind::Hopf => values[i + 1..].iter().for_each(|other| times(value + other)),
-                _ => times(*value),
+                CurveKind::Hopf => values[i + 1..].iter().for_each(|other| times(value + other)),
+                CurveKind::Divergence => times(*value),
             }
         }
         Ok((product.re, error))
@@ -188,15 +188,15 @@ fn roots_of(series: &[f64], negligible: f64) -> Result<Vec<f64>> {
 }
 
 /// The frequency \[Hz\] of what crosses, if it does.
-fn frequency(kind: EndKind, values: &[Complex<f64>]) -> Option<f64> {
+fn frequency(kind: CurveKind, values: &[Complex<f64>]) -> Option<f64> {
     let near = NEAR * largest(values);
     match kind {
-        EndKind::Hopf => {
+        CurveKind::Hopf => {
             let pairs = values.iter().filter(|value| value.im > 0.0);
             let pair = pairs.min_by(|a, b| a.re.abs().total_cmp(&b.re.abs()))?;
             // A real pair ±λ makes the product zero, too.
             (pair.re.abs() <= near && pair.im > near).then_some(pair.im / TAU)
         }
-        _ => values.iter().any(|value| value.norm() <= near).then_some(0.0),
+        CurveKind::Divergence => values.iter().any(|value| value.norm() <= near).then_some(0.0),
     }
 }

@@ -19,7 +19,7 @@ use pieces::{Branch, branches};
 /// A point of the unit square that stands for the plane's rectangle.
 type Point = [f64; 2];
 
-/// What crosses the imaginary axis at a curve.
+/// What crosses the imaginary axis at a place, or along a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurveKind {
     /// A pair of eigenvalues: a small swing neither grows nor fades.
@@ -29,7 +29,7 @@ pub enum CurveKind {
 }
 
 impl CurveKind {
-    const BOTH: [Self; 2] = [Self::Hopf, Self::Divergence];
+    pub(super) const BOTH: [Self; 2] = [Self::Hopf, Self::Divergence];
 
     /// Public name.
     pub fn name(self) -> &'static str {
