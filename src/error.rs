@@ -113,6 +113,12 @@ impl Error {
         Self::of(code, place.to_owned(), shown, allowed, nearest(name, known))
     }
 
+    /// There is no `field`, which must be `allowed`.
+    #[cold]
+    pub(crate) fn missing(field: &str, allowed: &str) -> Self {
+        Self::new(Code::Missing, field, "nothing", allowed)
+    }
+
     /// The run came to `time` s in as many steps as it may take.
     #[cold]
     pub(crate) fn step_limit(time: f64, steps: u64) -> Self {

@@ -78,9 +78,8 @@ impl Series {
     /// As [`Series::new`]; anything but such a record.
     pub fn read(input: &Value) -> Result<Self> {
         let fields = Fields::of("series", input, &["values", "interval"])?;
-        let missing = |key: &str, allowed: &str| Error::new(Code::Missing, key, "nothing", allowed);
-        let values = fields.numbers("values")?.ok_or_else(|| missing("values", "a list of numbers"))?;
-        let interval = fields.number("interval", "> 0 s")?.ok_or_else(|| missing("interval", "> 0 s"))?;
+        let values = fields.numbers("values")?.ok_or_else(|| Error::missing("values", "a list of numbers"))?;
+        let interval = fields.number("interval", "> 0 s")?.ok_or_else(|| Error::missing("interval", "> 0 s"))?;
         Self::new(values, interval)
     }
 

@@ -1,7 +1,7 @@
 //! Where the search for a cycle starts.
 
 use crate::{
-    error::{Code, Error, Result},
+    error::{Error, Result},
     parameter::{Validity, check_number},
     run::{Fields, Run, Value},
 };
@@ -30,9 +30,8 @@ impl Guess {
             return Ok(None);
         }
         let fields = Fields::of("guess", input, &["period", "state"])?;
-        let missing = |key, allowed: &str| Error::new(Code::Missing, key, "nothing", allowed);
-        let period = fields.number("period", "> 0 s")?.ok_or_else(|| missing("period", "a number > 0 s"))?;
-        let given = fields.value("state").ok_or_else(|| missing("state", "a record of states"))?;
+        let period = fields.number("period", "> 0 s")?.ok_or_else(|| Error::missing("period", "a number > 0 s"))?;
+        let given = fields.value("state").ok_or_else(|| Error::missing("state", "a record of states"))?;
         let states = run.description().state;
         let names: Vec<&'static str> = states.iter().map(|state| state.name).collect();
         let fields = Fields::of("state", given, &names)?;

@@ -51,8 +51,7 @@ impl Run {
         let given = |key: &str| {
             entries.iter().rev().find(|(name, _)| name == key).map(|(_, value)| value).filter(|v| **v != Value::Absent)
         };
-        let model = given("model")
-            .ok_or_else(|| Error::new(Code::Missing, "model", "nothing", "the name of a model, such as torsional"))?;
+        let model = given("model").ok_or_else(|| Error::missing("model", "the name of a model, such as torsional"))?;
         let mut run = Run::of(text("model", model)?)?;
         if let Some(values) = given("parameters") {
             for (name, value) in present("parameters", values)? {
@@ -111,7 +110,7 @@ impl Run {
         let known: Vec<_> = states.iter().map(|state| state.name).chain(["time", "events", "stats"]).collect();
         let fields = Fields::of("columns", input, &known)?;
         let column = |name: &str| {
-            let missing = || Error::new(Code::Missing, name, "nothing", "a list of numbers");
+            let missing = || Error::missing(name, "a list of numbers");
             fields.numbers(name)?.ok_or_else(missing)
         };
         states.iter().map(|state| column(state.name)).collect()

@@ -25,6 +25,7 @@ mod links;
 mod map;
 mod plane;
 mod polynomial;
+mod range;
 mod routh;
 mod surface;
 mod torsional;

@@ -2,11 +2,11 @@
 
 use nalgebra::Complex;
 
-use super::{Links, Polynomial, Ring, Surface, TorsionalTheory, linearised, variation::missing};
+use super::{Links, Polynomial, Ring, Surface, TorsionalTheory, linearised, range};
 use crate::{
     Run,
     error::{Code, Error, Result, shown},
-    parameter::{Parameter, parameter_index},
+    parameter::Parameter,
     run::{Fields, Value},
 };
 
@@ -44,11 +44,7 @@ impl Axis {
     /// An unknown parameter, ends that are not valid for it or do not ascend.
     fn of(run: &Run, parameter: &str, from: f64, to: f64) -> Result<Self> {
         let table = run.description().parameters;
-        let index =
-            parameter_index(table, parameter).map_err(|error| error.of_kind(Code::UnknownName).called("parameter"))?;
-        for (field, value) in [("from", from), ("to", to)] {
-            table[index].check(value).map_err(|error| error.called(field))?;
-        }
+        let index = range::check(table, parameter, [from, to])?;
         if to <= from {
             return Err(Error::new(Code::NotAscending, "to", shown(to), format!("> {} (from)", shown(from))));
         }
@@ -56,10 +52,8 @@ impl Axis {
     }
 
     fn read(run: &Run, fields: &Fields) -> Result<Self> {
-        let end =
-            |key| fields.number(key, "a finite number").and_then(|end| end.ok_or_else(|| missing(key, "a number")));
-        let parameter = fields.text("parameter")?.ok_or_else(|| missing("parameter", "the name of a parameter"))?;
-        Self::of(run, parameter, end("from")?, end("to")?)
+        let (parameter, [from, to]) = range::read(fields)?;
+        Self::of(run, parameter, from, to)
     }
 
     /// The value at a part of the way, 0 … 1; the ends are met exactly.
@@ -98,7 +92,7 @@ impl Plane {
         let run = Run::read(&Value::Record(given.collect()))?;
         let known = [&["parameter", "from", "to"], more].concat();
         let axis = |place: &'static str| {
-            let value = fields.value(place).ok_or_else(|| missing(place, "a record {parameter, from, to}"))?;
+            let value = fields.value(place).ok_or_else(|| Error::missing(place, "a record {parameter, from, to}"))?;
             let fields = Fields::of(place, value, &known)?;
             let axis = Axis::read(&run, &fields).map_err(|error| error.within(place))?;
             Ok((axis, fields))

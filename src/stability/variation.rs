@@ -1,9 +1,9 @@
 //! One parameter that varies while the others stay, or follow it.
 
-use super::{Links, Polynomial};
+use super::{Links, Polynomial, range};
 use crate::{
     error::{Code, Error, Result, shown},
-    parameter::{Parameter, parameter_index},
+    parameter::Parameter,
     run::{Fields, Value},
 };
 
@@ -40,14 +40,12 @@ impl Variation {
     /// Anything but a record of these keys; the error names the field. Names and ranges are checked against the model.
     pub fn read(input: &Value) -> Result<Self> {
         let fields = Fields::of("variation", input, &["parameter", "from", "to", "linked"])?;
-        let end =
-            |key| fields.number(key, "a finite number").and_then(|end| end.ok_or_else(|| missing(key, "a number")));
-        let parameter = fields.text("parameter")?.ok_or_else(|| missing("parameter", "the name of a parameter"))?;
+        let (parameter, [from, to]) = range::read(&fields)?;
         let Links { relaxation_length, tread_width_moment_constant } = Links::read(&fields)?;
         Ok(Self {
             relaxation_length_follows: relaxation_length,
             tread_width_moment_constant_follows: tread_width_moment_constant,
-            ..Self::of(parameter, end("from")?, end("to")?)
+            ..Self::of(parameter, from, to)
         })
     }
 
@@ -57,11 +55,7 @@ impl Variation {
     /// An unknown parameter, ends that are not valid for it or do not ascend.
     pub(crate) fn applied(&self, table: &[Parameter], values: &[f64]) -> Result<Vec<Polynomial>> {
         let Self { from, to, .. } = *self;
-        let index = parameter_index(table, &self.parameter)
-            .map_err(|error| error.of_kind(Code::UnknownName).called("parameter"))?;
-        for (field, value) in [("from", from), ("to", to)] {
-            table[index].check(value).map_err(|error| error.called(field))?;
-        }
+        let index = range::check(table, &self.parameter, [from, to])?;
         if to < from {
             return Err(Error::new(Code::NotAscending, "to", shown(to), format!("≥ {} (from)", shown(from))));
         }
@@ -78,8 +72,4 @@ impl Variation {
             tread_width_moment_constant: self.tread_width_moment_constant_follows,
         }
     }
-}
-
-pub(super) fn missing(key: &str, allowed: &str) -> Error {
-    Error::new(Code::Missing, key, "nothing", allowed)
 }

@@ -3,7 +3,7 @@
 use crate::{
     error::{Code, Error, Result, shown},
     run::{Fields, Value},
-    stability::{Plane, variation::missing},
+    stability::Plane,
 };
 
 /// Most cells of a map.
@@ -137,7 +137,7 @@ impl MapSpec {
         let count = |fields: &Fields, place| {
             let count = whole(fields, "count", [1, MOST_CELLS]);
             count
-                .and_then(|count| count.ok_or_else(|| missing("count", "a number of cells")))
+                .and_then(|count| count.ok_or_else(|| Error::missing("count", "a number of cells")))
                 .map_err(|error| error.within(place))
         };
         let mut map = Self::of(plane, count(&axes[0], "x")?, count(&axes[1], "y")?)?;
