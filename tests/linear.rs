@@ -161,7 +161,7 @@ fn extreme_numbers_are_refused_in_words() {
         (run.linearised().unwrap_err(), "the Jacobian"),
         (run.eigenmodes().unwrap_err(), "the Jacobian"),
         (run.routh_array().unwrap_err(), "the characteristic polynomial"),
-        (run.routh_hurwitz().unwrap_err(), "the Routh column"),
+        (run.routh_hurwitz().unwrap_err(), "the characteristic polynomial"),
     ] {
         let expected = format!("parameters must be less extreme, got values with which {what} would leave the numbers");
         assert_eq!(error.to_string(), expected);

@@ -149,17 +149,11 @@ impl TorsionalTheory {
     /// # Errors
     /// Values so extreme that the coefficients leave the numbers.
     pub(crate) fn routh_hurwitz(&self) -> Result<RouthHurwitz> {
-        let [v, sigma, i_z, c, kappa] = [
-            self.velocity,
-            self.relaxation_length,
-            self.moment_of_inertia,
-            self.damping_constant,
-            self.tread_width_moment_constant,
-        ]
-        .map(|number| number.at(0.0));
+        let [v, sigma, i_z] =
+            [self.velocity, self.relaxation_length, self.moment_of_inertia].map(|number| number.at(0.0));
         let (stays, calms) = (self.stays().at(0.0), self.calms().at(0.0));
-        let a2 = v / sigma + (c + kappa / v) / i_z;
-        let a0 = v * stays / (sigma * i_z);
+        let characteristic = self.characteristic()?;
+        let [_, a2, _, a0] = characteristic.map(|coefficient| coefficient.value);
         let column = [1.0, a2, calms / (v * sigma * sigma * i_z * i_z) / a2, a0];
         if column.iter().any(|entry| !entry.is_finite()) {
             return Err(Error::beyond_numbers("the Routh column"));
@@ -167,7 +161,7 @@ impl TorsionalTheory {
         // Neither speed nor damping enters k + T. Where that is not positive, a₂a₁ = a₀ ≤ 0 is no pair on the axis.
         let crossings = |gear: Self| if stays > 0.0 { gear.calms().roots(0.0, LARGEST) } else { Vec::new() };
         Ok(RouthHurwitz {
-            stable: RouthArray::of_bounded(&self.characteristic()?)?.stable,
+            stable: RouthArray::of_bounded(&characteristic)?.stable,
             column: column.to_vec(),
             critical_velocities: crossings(Self { velocity: Polynomial::variable(), ..*self }),
             critical_damping: crossings(Self { damping_constant: Polynomial::variable(), ..*self }).pop(),
