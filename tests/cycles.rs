@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{random::Random, reference};
+use common::{linear::gear, random::Random, reference};
 use nalgebra::{Complex, DMatrix};
 use shimmy::{
     Code, Run,
@@ -11,10 +11,6 @@ use shimmy::{
     outlook::Verdict,
     stability::eigenvalues,
 };
-
-fn gear(parameters: &[(&str, f64)]) -> Run {
-    parameters.iter().fold(Run::of("torsional").unwrap(), |run, (name, value)| run.with(name, *value).unwrap())
-}
 
 fn cycle(parameters: &[(&str, f64)]) -> LimitCycle {
     gear(parameters).limit_cycle(None).unwrap().expect("a limit cycle")

@@ -1,14 +1,13 @@
 //! Limit cycles by describing functions: against values from outside and the true cycles.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod common;
+
+use common::linear::gear;
 use shimmy::{
     Code, Run,
     cycles::{Amplitudes, Predicted},
 };
-
-fn gear(parameters: &[(&str, f64)]) -> Run {
-    parameters.iter().fold(Run::of("torsional").unwrap(), |run, (name, value)| run.with(name, *value).unwrap())
-}
 
 fn predicted(parameters: &[(&str, f64)]) -> Vec<Predicted> {
     gear(parameters).describing_function().unwrap()

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::random::Random;
+use common::{linear, random::Random};
 use shimmy::{
     Run,
     energy::Energy,
@@ -11,9 +11,7 @@ use shimmy::{
 };
 
 fn gear(parameters: &[(&str, f64)], psi: f64) -> Run {
-    let run =
-        parameters.iter().fold(Run::of("torsional").unwrap(), |run, (name, value)| run.with(name, *value).unwrap());
-    run.starting("torsionAngle", psi).unwrap()
+    linear::gear(parameters).starting("torsionAngle", psi).unwrap()
 }
 
 /// The run from the first point of the orbit that it goes to, to a tight tolerance, and the period.

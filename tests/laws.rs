@@ -1,8 +1,11 @@
 //! Force laws one by one, at a state and as curves, against the printed equations.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod common;
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use common::linear::gear_of;
 use shimmy::{
     Run,
     model::laws::{Curves, ForceLaws},
@@ -10,10 +13,6 @@ use shimmy::{
 };
 
 const DEGREE: f64 = PI / 180.0;
-
-fn gear(model: &str, parameters: &[(&str, f64)]) -> Run {
-    parameters.iter().fold(Run::of(model).unwrap(), |run, (name, value)| run.with(name, *value).unwrap())
-}
 
 fn curves_of(run: &Run, slip: f64, torsion: f64, samples: f64) -> ForceLaws {
     run.force_laws(&Curves::new(slip, torsion, samples).unwrap()).unwrap()
@@ -30,7 +29,7 @@ fn printed(alpha: f64) -> (f64, f64) {
 #[test]
 fn curves_are_the_printed_laws_with_their_kinks_among_the_points() {
     let gap = 1.0 * DEGREE;
-    let laws = curves_of(&gear("torsional", &[("freeplayAngle", gap)]), 20.0 * DEGREE, 4.0 * DEGREE, 100.0);
+    let laws = curves_of(&gear_of("torsional", &[("freeplayAngle", gap)]), 20.0 * DEGREE, 4.0 * DEGREE, 100.0);
     for ((alpha, force), moment) in laws.slip_angle.iter().zip(&laws.side_force).zip(&laws.aligning_moment) {
         let expected = printed(*alpha);
         assert!((force - expected.0).abs() < 1e-10 && (moment - expected.1).abs() < 1e-11, "α = {alpha}");
@@ -57,18 +56,18 @@ fn curves_are_the_printed_laws_with_their_kinks_among_the_points() {
 #[test]
 fn a_kink_that_is_a_sample_or_out_of_sight_makes_no_other_point() {
     // ±10° with 5 points: −10, −5, 0, 5, 10; δ = 5° is one of them, α_g = 10° the end.
-    let laws = curves_of(&gear("torsional", &[]), 10.0 * DEGREE, 0.1, 5.0);
+    let laws = curves_of(&gear_of("torsional", &[]), 10.0 * DEGREE, 0.1, 5.0);
     assert_eq!(laws.slip_angle.len(), 5);
     assert_eq!(laws.torsion_angle.len(), 5);
     assert_eq!(laws.kinks.freeplay_angle, None);
-    let never = curves_of(&gear("torsional", &[("sideForceLimitAngle", 2.0)]), 1.5, 0.1, 2.0);
+    let never = curves_of(&gear_of("torsional", &[("sideForceLimitAngle", 2.0)]), 1.5, 0.1, 2.0);
     assert_eq!(never.kinks.side_force_limit_angle, None);
     assert_eq!(never.slip_angle.len(), 4, "α_g is left");
 }
 
 #[test]
 fn the_linear_gear_has_straight_laws() {
-    let linear = gear("torsional-linear", &[]);
+    let linear = gear_of("torsional-linear", &[]);
     let laws = curves_of(&linear, 20.0 * DEGREE, 0.2, 11.0);
     for i in 0..11 {
         let (alpha, psi) = (laws.slip_angle[i], laws.torsion_angle[i]);
@@ -85,7 +84,7 @@ fn the_linear_gear_has_straight_laws() {
 /// At every point of the curves the moving point of a motion lies on them.
 #[test]
 fn forces_at_a_state_lie_on_the_curves() {
-    for run in [gear("torsional", &[("freeplayAngle", 0.01)]), gear("torsional-linear", &[])] {
+    for run in [gear_of("torsional", &[("freeplayAngle", 0.01)]), gear_of("torsional-linear", &[])] {
         let laws = curves_of(&run, 15.0 * DEGREE, 0.03, 31.0);
         for (i, alpha) in laws.slip_angle.iter().enumerate() {
             let slip_ratio = if run.description().name == "torsional" { alpha.tan() } else { *alpha };
@@ -110,8 +109,8 @@ fn what_cannot_be_drawn_is_refused() {
     }
     assert_eq!(Curves::read(&Value::Absent).unwrap(), Curves::new(20.0 * DEGREE, 20.0 * DEGREE, 201.0).unwrap());
     // A tire so short that a swing of a centimetre is an infinite slip.
-    let short = gear("torsional-linear", &[("relaxationLength", 1e-320)]);
+    let short = gear_of("torsional-linear", &[("relaxationLength", 1e-320)]);
     assert_eq!(short.forces(&[0.0, 0.0, 0.01]).unwrap_err().code.name(), "not-finite");
-    assert_eq!(gear("torsional", &[]).forces(&[0.0; 2]).unwrap_err().field, "state");
-    assert_eq!(gear("torsional", &[]).forces(&[0.0, f64::NAN, 0.0]).unwrap_err().field, "torsionRate");
+    assert_eq!(gear_of("torsional", &[]).forces(&[0.0; 2]).unwrap_err().field, "state");
+    assert_eq!(gear_of("torsional", &[]).forces(&[0.0, f64::NAN, 0.0]).unwrap_err().field, "torsionRate");
 }

@@ -1,6 +1,9 @@
 //! What becomes of a motion, where it is hard to say: near the Hopf points, at rest away from the middle, in the gap.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod common;
+
+use common::linear;
 use shimmy::{
     Run,
     outlook::{Outlook, Verdict},
@@ -12,9 +15,7 @@ fn at_80(c: f64, psi: f64) -> Outlook {
 }
 
 fn gear(parameters: &[(&str, f64)], psi: f64) -> Outlook {
-    let run =
-        parameters.iter().fold(Run::of("torsional").unwrap(), |run, (name, value)| run.with(name, *value).unwrap());
-    run.starting("torsionAngle", psi).unwrap().outlook().unwrap()
+    linear::gear(parameters).starting("torsionAngle", psi).unwrap().outlook().unwrap()
 }
 
 #[test]

@@ -1,11 +1,10 @@
 //! Runs that once had a wrong answer, or none.
 #![cfg(not(target_arch = "wasm32"))]
 
-use shimmy::{Code, Run, model::laws::Curves, run::Value};
+mod common;
 
-fn gear(parameters: &[(&str, f64)]) -> Run {
-    parameters.iter().fold(Run::of("torsional").unwrap(), |run, (name, value)| run.with(name, *value).unwrap())
-}
+use common::linear::gear;
+use shimmy::{Code, Run, model::laws::Curves, run::Value};
 
 #[test]
 fn a_fixed_step_is_judged_with_the_spring_at_work() {

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::random::Random;
+use common::{linear::gear, random::Random};
 use nalgebra::Matrix3;
 use shimmy::{
     Run,
@@ -12,10 +12,6 @@ use shimmy::{
     real::Dual,
     stability::{EndKind, UnstableInterval, Variation},
 };
-
-fn gear(parameters: &[(&str, f64)]) -> Run {
-    parameters.iter().fold(Run::of("torsional").unwrap(), |run, (name, value)| run.with(name, *value).unwrap())
-}
 
 fn assert_near(got: &[f64], expected: &[f64], relative: f64) {
     assert_eq!(got.len(), expected.len(), "{got:?} {expected:?}");
