@@ -1,9 +1,12 @@
 //! Whatever is handed over as a run: it is carried out in finite numbers, or refused in words that name a field.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod common;
+
+use common::hostile::{assert_finite, assert_speaks};
 use proptest::prelude::*;
 use shimmy::{
-    Error, Run,
+    Run,
     cycles::Guess,
     live::Simulator,
     model::laws::Curves,
@@ -166,18 +169,6 @@ fn run_like() -> impl Strategy<Value = Value> {
 /// A number of samples that is allowed, and takes a while.
 fn is_large(key: &str, value: &Value) -> bool {
     key == "samples" && matches!(value, Value::Number(n) if (1e4..=MOST_SAMPLES as f64).contains(n))
-}
-
-fn assert_speaks(error: &Error) {
-    let sentence = error.to_string();
-    assert!(!error.field.is_empty(), "names no field: {sentence}");
-    assert!(!error.code.name().is_empty());
-    assert!(!error.allowed.is_empty(), "does not say what is allowed: {sentence}");
-    assert!(sentence.len() < 2_000, "{} characters of message", sentence.len());
-}
-
-fn assert_finite(what: &str, values: &[f64]) {
-    assert!(values.iter().all(|value| value.is_finite()), "{what} is not finite: {values:?}");
 }
 
 /// Carries a value out as a run, as far as it gets.

@@ -1,9 +1,11 @@
 //! Whatever is handed over as a plane: it is mapped and traced in finite numbers, or refused in words that name a field.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod common;
+
+use common::hostile::{assert_finite, assert_speaks};
 use proptest::prelude::*;
 use shimmy::{
-    Error,
     model::{Model, Torsional, TorsionalLinear},
     parameter::Parameter,
     run::Value,
@@ -122,15 +124,6 @@ fn map() -> impl Strategy<Value = Value> {
             Value::Record(entries)
         },
     )
-}
-
-fn assert_speaks(error: &Error) {
-    let sentence = error.to_string();
-    assert!(!error.field.is_empty() && !error.allowed.is_empty() && sentence.len() < 2_000, "{sentence}");
-}
-
-fn assert_finite(what: &str, values: &[f64]) {
-    assert!(values.iter().all(|value| value.is_finite()), "{what} is not finite: {values:?}");
 }
 
 /// Makes a map of a value; whether it could be made.

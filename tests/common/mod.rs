@@ -3,6 +3,7 @@
 
 pub mod exact;
 pub mod gear;
+pub mod hostile;
 pub mod linear;
 pub mod planes;
 pub mod random;
