@@ -1,7 +1,7 @@
 //! Where a swing's energy comes from, and where it goes.
 
 use crate::{
-    error::{Code, Error, Result, shown},
+    error::{Code, Error, Result},
     integrate::{Failure, Integrator, failed},
     model::{Gear, laws::Power},
     outlook::HORIZON,
@@ -66,12 +66,8 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Opti
     let end = laws.stored(motion.state());
     (energy.kinetic, energy.spring) = (end.0 - kinetic, end.1 - spring);
     energy.stored = energy.kinetic + energy.spring;
-    match [energy.tire, energy.damper, energy.tread_width, energy.stored].iter().find(|part| !part.is_finite()) {
-        Some(part) => {
-            Err(Error::new(Code::NotFinite, "the energy", shown(*part), "finite: choose less extreme values"))
-        }
-        None => Ok(Some(energy)),
-    }
+    Error::unless_finite("the energy", &[energy.tire, energy.damper, energy.tread_width, energy.stored])?;
+    Ok(Some(energy))
 }
 
 /// The time between the next two rises of the first state through zero; none where it does not swing within the horizon.

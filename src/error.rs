@@ -131,6 +131,15 @@ impl Error {
         Self::new(Code::Unsuited, "model", name, format!("one with {what}, such as torsional"))
     }
 
+    /// Results of what is valid each by itself, where one of them is no number.
+    #[inline(never)]
+    pub(crate) fn unless_finite(what: &str, results: &[f64]) -> Result<()> {
+        match results.iter().find(|value| !value.is_finite()) {
+            Some(value) => Err(Self::new(Code::NotFinite, what, shown(*value), "finite: choose less extreme values")),
+            None => Ok(()),
+        }
+    }
+
     /// Parameters, each of them valid, that together drive something out of what a double can say.
     #[cold]
     pub(crate) fn beyond_numbers(what: &str) -> Self {

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
 
 use crate::{
     energy::GAUSS,
-    error::{Code, Error, Result, shown},
+    error::{Code, Error, Result},
     run::Run,
     stability::TorsionalTheory,
 };
@@ -162,13 +162,8 @@ impl<'a> Gear<'a> {
         let theory = TorsionalTheory { freeplay_angle: 0.0, ..theory };
         let calms = theory.calms();
         let square = theory.swings() / (self.relaxation_length * self.moment_of_inertia);
-        match [calms, square].iter().find(|value| !value.is_finite()) {
-            Some(value) => {
-                let allowed = "finite: choose less extreme values";
-                Err(Error::new(Code::NotFinite, "the describing functions", shown(*value), allowed))
-            }
-            None => Ok((calms, square)),
-        }
+        Error::unless_finite("the describing functions", &[calms, square])?;
+        Ok((calms, square))
     }
 
     /// A_ψ where α has the amplitude `slip` and swings with ω.

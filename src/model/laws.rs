@@ -7,7 +7,7 @@ pub use self::curves::{Curves, ForceLaws, Kinks};
 use super::torsional::{PSI, PSI_RATE, Y};
 use crate::{
     element::{Side, freeplay::Spring, tire_law::TireLaw},
-    error::{Code, Error, Result, shown},
+    error::{Error, Result},
 };
 
 /// The moments about the steering axis of a wheel on a stretched-string tire, each by itself.
@@ -80,12 +80,8 @@ impl Forces {
     /// Themselves, where they are numbers: a tire may be so short, or a state so large, that they are not.
     fn checked(self) -> Result<Self> {
         let Self { slip_angle, side_force, aligning_moment, spring_torque, .. } = self;
-        match [slip_angle, side_force, aligning_moment, spring_torque].iter().find(|value| !value.is_finite()) {
-            Some(value) => {
-                Err(Error::new(Code::NotFinite, "the forces", shown(*value), "finite: choose less extreme values"))
-            }
-            None => Ok(self),
-        }
+        Error::unless_finite("the forces", &[slip_angle, side_force, aligning_moment, spring_torque])?;
+        Ok(self)
     }
 }
 
