@@ -42,12 +42,12 @@ pub struct Description {
     /// The same where nothing varies.
     #[serde(skip)]
     pub(crate) number_theory: fn(&[f64]) -> Option<TorsionalTheory<f64>>,
-    /// The model at its equilibrium, for checked parameter values in table order.
-    #[serde(skip)]
-    pub(crate) linearised: fn(&[f64]) -> Result<Linearisation>,
     /// The same where two parameters vary.
     #[serde(skip)]
     pub(crate) plane_theory: fn(&[Surface]) -> Option<TorsionalTheory<Surface>>,
+    /// The model at its equilibrium, for checked parameter values in table order.
+    #[serde(skip)]
+    pub(crate) linearised: fn(&[f64]) -> Result<Linearisation>,
 }
 
 impl Description {
@@ -61,8 +61,8 @@ impl Description {
             laws: M::laws,
             linear_theory: M::linear_theory,
             number_theory: M::linear_theory,
-            linearised: |values| at_rest(&M::at_rest(values)),
             plane_theory: M::linear_theory,
+            linearised: |values| at_rest(&M::at_rest(values)),
         }
     }
 
