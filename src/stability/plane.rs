@@ -129,9 +129,7 @@ impl Plane {
             for (field, value) in [("from", axis.from), ("to", axis.to)] {
                 if value.abs() > most {
                     let allowed = format!("within ±{} {unit}: beyond, rounding hides the boundary", shown(most));
-                    return Err(
-                        Error::new(Code::TooLarge, field, shown(value), allowed.replace(" :", ":")).within(place)
-                    );
+                    return Err(Error::new(Code::TooLarge, field, shown(value), allowed).within(place));
                 }
             }
             let least = NARROWEST * axis.from.abs().max(axis.to.abs());
