@@ -5,10 +5,9 @@ use std::cell::RefCell;
 use js_sys::Date;
 use wasm_bindgen::prelude::*;
 
-use super::{input, output, record::Record};
+use super::{call_into, input, output, record::Record};
 use crate::{
     error::{Code, Error, Result, shown},
-    run::Value,
     stability::{MapSpec, StabilityMap},
 };
 
@@ -68,12 +67,7 @@ impl Job {
 }
 
 impl Job {
-    /// Calls into the work; a call from within a call (a getter that calls back) is refused.
     fn with(&self, call: impl FnOnce(&mut StabilityMap) -> Result<JsValue>) -> std::result::Result<JsValue, JsValue> {
-        let mut map = self.0.try_borrow_mut().map_err(|_| {
-            let within = Value::Other("a call within a call").shown();
-            output::error(Error::new(Code::Unusable, "job", within, "called once at a time"))
-        })?;
-        call(&mut map).map_err(output::error)
+        call_into(&self.0, "job", call)
     }
 }

@@ -23,6 +23,8 @@ pub use linear::{
 pub use plane::{hopf_curve, stability_map};
 pub use simulator::Simulator;
 
+use std::cell::RefCell;
+
 use wasm_bindgen::prelude::*;
 
 use crate::{
@@ -136,4 +138,16 @@ pub fn forces_along(
 #[inline(never)]
 fn of_run(run: &JsValue, answer: &dyn Fn(&Run) -> error::Result<JsValue>) -> Result<JsValue, JsValue> {
     input::value(run, "run").and_then(|value| answer(&Run::read(&value)?)).map_err(output::error)
+}
+
+/// Calls into what a class holds; a call from within a call (a getter that calls back) is refused.
+fn call_into<T, R>(
+    held: &RefCell<T>,
+    class: &str,
+    call: impl FnOnce(&mut T) -> error::Result<R>,
+) -> Result<R, JsValue> {
+    let mut held = held.try_borrow_mut().map_err(|_| {
+        output::error(error::Error::new(error::Code::Unusable, class, "a call within a call", "called once at a time"))
+    })?;
+    call(&mut held).map_err(output::error)
 }

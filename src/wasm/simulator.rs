@@ -6,15 +6,10 @@ use js_sys::Uint8Array;
 use wasm_bindgen::prelude::*;
 
 use super::{
-    input, output,
+    call_into, input, output,
     record::{Record, numbers, series},
 };
-use crate::{
-    Run,
-    error::{Code, Error, Result},
-    live,
-    run::Value,
-};
+use crate::{Run, error::Result, live};
 
 /// A live motion of a run.
 #[wasm_bindgen]
@@ -176,16 +171,7 @@ fn window(from: &JsValue, to: &JsValue) -> Result<(f64, f64)> {
 }
 
 impl Simulator {
-    /// Calls into the motion; a call from within a call (a getter that calls back) is refused.
     fn with<T>(&self, call: impl FnOnce(&mut live::Simulator) -> Result<T>) -> std::result::Result<T, JsValue> {
-        let mut motion = self.0.try_borrow_mut().map_err(|_| {
-            output::error(Error::new(
-                Code::Unusable,
-                "simulator",
-                Value::Other("a call within a call").shown(),
-                "called once at a time",
-            ))
-        })?;
-        call(&mut motion).map_err(output::error)
+        call_into(&self.0, "simulator", call)
     }
 }
