@@ -13,13 +13,10 @@
 mod bounded;
 mod characteristic;
 mod crossings;
-mod cubic;
 mod curve;
 mod eigenmodes;
 mod eigenvalues;
 mod elimination;
-mod form;
-mod line;
 mod linearisation;
 mod links;
 mod map;
@@ -27,7 +24,6 @@ mod plane;
 mod polynomial;
 mod range;
 mod routh;
-mod surface;
 mod torsional;
 mod variation;
 
@@ -48,9 +44,8 @@ pub use self::{
     links::Links,
     map::{Cells, KINDS, MOST_CELLS, MapSpec, Quantities, StabilityMap, Tile},
     plane::{Axis, Plane},
-    polynomial::{Polynomial, Ring},
+    polynomial::{Polynomial, Ring, Surface},
     routh::{RouthArray, Special},
-    surface::Surface,
     torsional::TorsionalTheory,
     variation::Variation,
 };

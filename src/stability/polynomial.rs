@@ -1,6 +1,13 @@
 //! Polynomials of low degree in one variable, and all of their roots in an interval.
 
+pub(super) mod cubic;
+pub(super) mod form;
+pub(super) mod line;
+mod surface;
+
 use std::ops::{Add, Mul, Sub};
+
+pub use surface::Surface;
 
 /// Numbers as an equation needs them: plain ones, or polynomials in what varies.
 pub trait Ring: Copy + PartialEq + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
@@ -9,7 +16,7 @@ impl<T: Copy + PartialEq + From<f64> + Add<Output = T> + Sub<Output = T> + Mul<O
 
 /// Coefficients that a polynomial can have: the conditions of the torsional gear are of degree 5 at most (in the half
 /// contact length, with both of its links at work).
-pub(super) const COEFFICIENTS: usize = 6;
+const COEFFICIENTS: usize = 6;
 
 /// c₀ + c₁x + c₂x² + … up to x⁵; what a product has beyond is lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,8 +56,7 @@ impl Polynomial {
     ///
     /// Between two neighbouring roots of its derivative a polynomial is monotone, and has a root exactly where its sign
     /// changes: none is missed, however narrow the gap between two. Where two have come so near that rounding hides the
-    /// sign between them, they count as none, or as
-    /// two as far apart as rounding goes.
+    /// sign between them, they count as none, or as two as far apart as rounding goes.
     pub fn roots(&self, low: f64, high: f64) -> Vec<f64> {
         if self.degree() == 0 {
             return Vec::new();

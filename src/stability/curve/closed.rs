@@ -5,8 +5,10 @@ use crate::{
     few::sort_few,
     stability::{
         Plane,
-        form::{Form, Patch, column, put_column},
-        line::{Bernstein, Crossings, DEEPEST, Line, parts},
+        polynomial::{
+            form::{Form, Patch, column, put_column},
+            line::{Bernstein, Crossings, DEEPEST, Line, parts},
+        },
     },
 };
 

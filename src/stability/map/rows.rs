@@ -4,9 +4,12 @@ use super::{Cells, MapSpec, Tile};
 use crate::{
     error::Result,
     stability::{
-        Surface, TorsionalTheory, cubic,
-        form::Form,
-        line::{Crossings, Line},
+        Surface, TorsionalTheory,
+        polynomial::{
+            cubic,
+            form::Form,
+            line::{Crossings, Line},
+        },
     },
 };
 

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use super::{Polynomial, polynomial::COEFFICIENTS};
+use super::{COEFFICIENTS, Polynomial};
 
 /// Σ cᵢⱼ xⁱ yʲ up to the fifth power of each: a polynomial in x whose coefficients are polynomials in y.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,24 +10,24 @@ pub struct Surface([Polynomial; COEFFICIENTS]);
 
 impl Surface {
     /// A polynomial in x, the same for every y.
-    pub(super) fn across(p: Polynomial) -> Self {
+    pub(in crate::stability) fn across(p: Polynomial) -> Self {
         Self(p.0.map(Polynomial::from))
     }
 
     /// A polynomial in y, the same for every x.
-    pub(super) fn along(p: Polynomial) -> Self {
+    pub(in crate::stability) fn along(p: Polynomial) -> Self {
         let mut c = [Polynomial::from(0.0); COEFFICIENTS];
         c[0] = p;
         Self(c)
     }
 
     /// The coefficient of xⁱ.
-    pub(super) fn coefficient(&self, i: usize) -> &Polynomial {
+    pub(in crate::stability) fn coefficient(&self, i: usize) -> &Polynomial {
         &self.0[i]
     }
 
     /// The highest power of x.
-    pub(super) fn degree(&self) -> usize {
+    pub(in crate::stability) fn degree(&self) -> usize {
         self.0.iter().rposition(|c| *c != Polynomial::from(0.0)).unwrap_or(0)
     }
 }

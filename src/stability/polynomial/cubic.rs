@@ -14,7 +14,7 @@ const ARRIVED: f64 = 1e-8;
 /// # References
 /// W. Kahan, *To Solve a Real Cubic Equation*, Berkeley, 1986.
 #[inline(always)]
-pub(super) fn rightmost(a2: f64, a1: f64, a0: f64, start: &mut f64) -> (f64, f64) {
+pub(in crate::stability) fn rightmost(a2: f64, a1: f64, a0: f64, start: &mut f64) -> (f64, f64) {
     let shift = a2 * (1.0 / 3.0);
     let p = a1 - a2 * shift;
     let q = a0 - shift * (a1 - 2.0 * shift * shift);

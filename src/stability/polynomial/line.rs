@@ -1,25 +1,25 @@
 //! A polynomial on the unit interval, and where it changes its sign there.
 
-use super::polynomial::COEFFICIENTS;
+use super::COEFFICIENTS;
 
 /// A Newton step that is shorter ends the search: the next one would be its square.
 const ARRIVED: f64 = 1e-8;
 /// How often an interval is halved: what still seems to hold two crossings then touches zero, and does not cross it.
-pub(super) const DEEPEST: usize = 40;
+pub(in crate::stability) const DEEPEST: usize = 40;
 
 /// Bernstein coefficients.
-pub(super) type Bernstein = [f64; COEFFICIENTS];
+pub(in crate::stability) type Bernstein = [f64; COEFFICIENTS];
 
 /// Σ cᵢ xⁱ from 0 to 1.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
+pub(in crate::stability) struct Line {
     pub power: [f64; COEFFICIENTS],
     pub degree: usize,
 }
 
 /// Places at which a sign changes, ascending.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Crossings {
+pub(in crate::stability) struct Crossings {
     at: [f64; COEFFICIENTS],
     count: usize,
 }
@@ -225,7 +225,7 @@ impl Signs {
 
 /// The Bernstein coefficients of the two parts that the interval is cut into (de Casteljau).
 #[inline(never)]
-pub(super) fn parts(b: &Bernstein, degree: usize, part: f64) -> (Bernstein, Bernstein) {
+pub(in crate::stability) fn parts(b: &Bernstein, degree: usize, part: f64) -> (Bernstein, Bernstein) {
     let (mut left, mut right) = (*b, *b);
     for step in 1..=degree {
         for i in 0..=degree - step {

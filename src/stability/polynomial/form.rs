@@ -1,17 +1,16 @@
 //! A polynomial over the unit square, ready to be evaluated.
 
 use super::{
-    Surface,
+    COEFFICIENTS, Surface,
     line::{Bernstein, Line, bernstein},
-    polynomial::COEFFICIENTS,
 };
 
 /// Coefficients by the index of y, then of x.
-pub(super) type Patch = [[f64; COEFFICIENTS]; COEFFICIENTS];
+pub(in crate::stability) type Patch = [[f64; COEFFICIENTS]; COEFFICIENTS];
 
 /// Those of the index `i` of x.
 #[inline(never)]
-pub(super) fn column(patch: &Patch, i: usize) -> Bernstein {
+pub(in crate::stability) fn column(patch: &Patch, i: usize) -> Bernstein {
     let mut column = [0.0; COEFFICIENTS];
     for (into, row) in column.iter_mut().zip(patch) {
         *into = row[i];
@@ -21,7 +20,7 @@ pub(super) fn column(patch: &Patch, i: usize) -> Bernstein {
 
 /// Puts those of the index `i` of x.
 #[inline(never)]
-pub(super) fn put_column(patch: &mut Patch, i: usize, column: &Bernstein) {
+pub(in crate::stability) fn put_column(patch: &mut Patch, i: usize, column: &Bernstein) {
     for (row, from) in patch.iter_mut().zip(column) {
         row[i] = *from;
     }
@@ -29,7 +28,7 @@ pub(super) fn put_column(patch: &mut Patch, i: usize, column: &Bernstein) {
 
 /// Σ cᵢⱼ xⁱ yʲ with its degrees.
 #[derive(Clone, Debug)]
-pub(super) struct Form {
+pub(in crate::stability) struct Form {
     /// Of the powers.
     c: Patch,
     /// The degree in x.
