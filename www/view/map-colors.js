@@ -21,20 +21,37 @@ const steps = 256;
  * @returns {(value: number) => Color} of a growth rate, of whether it is stable (1 or 0), or of a frequency (0: no beat)
  */
 export function colorsOf(coloring, limits, theme) {
-  const [page, surface, stable, unstable, psi, raised] = [theme.page, theme.surface, theme.stable, theme.unstable, theme.psi, theme.raised].map(channels);
-  if (coloring === 'stable') {
-    const shimmies = mix(surface, unstable, tint);
-    return (value) => (value ? surface : shimmies);
-  }
+  const { calm, shimmies, idle, beats, falls, grows } = inksOf(theme);
+  if (coloring === 'stable') return (value) => (value ? calm : shimmies);
   if (coloring === 'frequency') {
     const [from, to] = limits.frequency;
-    const ramp = rampOf((share) => mix(surface, psi, 0.16 + share * 0.76));
-    return (value) => (value > 0 ? ramp((value - from) / (to - from || 1)) : raised);
+    return (value) => (value > 0 ? beats((value - from) / (to - from || 1)) : idle);
   }
   const limit = limits.growthRate;
-  const falls = rampOf((share) => mix(page, stable, share * strength));
-  const grows = rampOf((share) => mix(page, unstable, share * strength));
   return (value) => (value > 0 ? grows(value / limit) : falls(-value / limit));
+}
+
+/** @typedef {(share: number) => Color} Ramp from 0 to 1 */
+
+/** @type {WeakMap<Theme, ReturnType<typeof mixed>>} */
+const known = new WeakMap();
+
+/** The colors of a theme, mixed once: map and legend ask for them in each frame of a drag. @param {Theme} theme */
+function inksOf(theme) {
+  const inks = known.get(theme) ?? mixed(theme);
+  known.set(theme, inks);
+  return inks;
+}
+
+/** @param {Theme} theme */
+function mixed(theme) {
+  const [page, surface, stable, unstable, psi, raised] = [theme.page, theme.surface, theme.stable, theme.unstable, theme.psi, theme.raised].map(channels);
+  return {
+    calm: surface, shimmies: mix(surface, unstable, tint), idle: raised,
+    beats: rampOf((share) => mix(surface, psi, 0.16 + share * 0.76)),
+    falls: rampOf((share) => mix(page, stable, share * strength)),
+    grows: rampOf((share) => mix(page, unstable, share * strength)),
+  };
 }
 
 /**
@@ -56,7 +73,7 @@ export function written([red, green, blue]) {
   return `#${[red, green, blue].map((channel) => Math.round(channel).toString(16).padStart(2, '0')).join('')}`;
 }
 
-/** A color for each share from 0 to 1, made once. @param {(share: number) => Color} colorAt @returns {(share: number) => Color} */
+/** A color for each share, made once. @param {Ramp} colorAt @returns {Ramp} */
 function rampOf(colorAt) {
   const colors = Array.from({ length: steps }, (_, i) => colorAt(i / (steps - 1)));
   return (share) => colors[share <= 0 ? 0 : share >= 1 ? steps - 1 : Math.round(share * (steps - 1))];
