@@ -7,7 +7,7 @@ import { RootsLimits } from '../../www/lens/stability/roots-limits.js';
 import { RootsWalk, crossingBetween } from '../../www/lens/stability/roots-walk.js';
 import { drawComplexPlane } from '../../www/view/complex-plane.js';
 import { drawRootLocus } from '../../www/view/root-locus.js';
-import { pathsThrough } from '../../www/view/root-paths.js';
+import { pathsOf, pathsThrough } from '../../www/view/root-paths.js';
 import { drawRoots } from '../../www/view/roots.js';
 import { voiceOf } from '../../www/words/voice.js';
 import { criticalSpeeds, cubicOf, rootsOf, usual } from './linear-gear.mjs';
@@ -134,6 +134,20 @@ test('a walk grows while values change and begins anew after a rest; a crossing 
   assert.equal(walk.follow(gear({ velocity: 36, dampingConstant: 20 }), 20), 'changed');
   assert.equal(walk.crossing, null);
   assert.equal(walk.trail.length, 2);
+});
+
+test('a trail keeps each root in its place, whichever of them leads', () => {
+  const walk = new RootsWalk();
+  // The pair overtakes the real root, and with it the order by real parts changes.
+  for (const [i, re] of [-60, -55, -45, -40].entries()) {
+    const roots = [{ re, im: 300 }, { re, im: -300 }, { re: -50, im: 0 }].sort((one, other) => other.re - one.re);
+    const linear = /** @type {import('../../www/run/linear-looks.js').LinearLooks} */ (/** @type {unknown} */ ({ eigenvalues: () => roots }));
+    walk.follow({ object: 'torsional', parameters: { velocity: i }, linear }, i / 10);
+  }
+  const paths = pathsOf(walk.trail);
+  assert.deepEqual(paths.map((path) => path.map(({ im }) => im)), [[0, 0, 0, 0], [300, 300, 300, 300], [-300, -300, -300, -300]]);
+  assert.deepEqual(paths[1].map(({ re }) => re), [-60, -55, -45, -40]);
+  assert.equal(walk.roots[0].im, 300, 'what leads is told first all the same');
 });
 
 test('who undoes a walk, or several, has no way behind', () => {

@@ -31,12 +31,17 @@ export function inOrderOf(before, roots) {
  * @returns {Root[][]}
  */
 export function pathsThrough(sets) {
-  if (sets.length === 0) return [];
-  let before = [...sets[0]];
-  const paths = before.map((root) => [root]);
-  for (const roots of sets.slice(1)) {
-    before = inOrderOf(before, roots);
-    before.forEach((root, i) => paths[i].push(root));
-  }
-  return paths;
+  /** @type {(readonly Root[])[]} */
+  const ordered = [];
+  for (const [i, roots] of sets.entries()) ordered.push(i === 0 ? roots : inOrderOf(ordered[i - 1], roots));
+  return pathsOf(ordered);
+}
+
+/**
+ * The same of sets whose roots already go on from each other.
+ * @param {readonly (readonly Root[])[]} sets
+ * @returns {Root[][]}
+ */
+export function pathsOf(sets) {
+  return (sets[0] ?? []).map((_, i) => sets.map((roots) => roots[i]));
 }

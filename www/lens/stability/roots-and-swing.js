@@ -1,6 +1,6 @@
 import { html } from 'lit';
 import { drawLinearHistory } from '../../view/linear-history.js';
-import { pathsThrough } from '../../view/root-paths.js';
+import { pathsOf } from '../../view/root-paths.js';
 import { drawRoots } from '../../view/roots.js';
 import { RootsLimits } from './roots-limits.js';
 import { crossingInWords, doubling, doublingInSigns, pairInNumbers, pairReadings } from './say.js';
@@ -85,7 +85,7 @@ export class RootsAndSwing {
     const { roots, trail, crossing } = walk;
     if (!voice || !theme) return;
     drawRoots(context, size, {
-      roots, trail: pathsThrough(trail), crossing: crossing && { at: crossing.at, text: crossingInWords(crossing, voice) },
+      roots, trail: pathsOf(trail), crossing: crossing && { at: crossing.at, text: crossingInWords(crossing, voice) },
       readings: pairReadings(roots, voice), limits: this.#limits.limits, veiled: isVeiled,
     }, theme, voice);
   };

@@ -8,6 +8,7 @@
  */
 
 import { isSameRecord } from '../../store.js';
+import { inOrderOf } from '../../view/root-paths.js';
 
 /** A rest longer than this ends a walk: the next change begins another, in s. */
 const rest = 1;
@@ -24,7 +25,7 @@ export class RootsWalk {
   #changedAt = -Infinity;
   /** Where walks began: who is back there has undone what came of them. @type {Readonly<Record<string, number>>[]} */ #starts = [];
   /** @type {readonly Root[]} */ roots = [];
-  /** Sets of roots, the oldest first. @type {(readonly Root[])[]} */ trail = [];
+  /** Sets of roots, the oldest first, each in the order of the one before. @type {(readonly Root[])[]} */ trail = [];
   /** The last crossing of this walk. @type {Crossing | null} */ crossing = null;
 
   /**
@@ -60,7 +61,7 @@ export class RootsWalk {
       if (this.#starts.length > mostStarts) this.#starts.shift();
     }
     this.#changedAt = now;
-    this.trail.push(this.roots);
+    this.trail.push(inOrderOf(this.trail[this.trail.length - 1], this.roots));
     if (this.trail.length > longestTrail) this.trail.shift();
     if (isStable(before) === isStable(this.roots)) return 'changed';
     this.crossing = crossingBetween(linear.eigenvalues, last.values, parameters);
