@@ -2,7 +2,9 @@
 
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
+import { Quantity } from '../../www/controls/quantity.js';
 import { besideOf, mostPlanes, planesOf, readBeside, readyBesides, writeBeside } from '../../www/lens/stability/beside-settings.js';
+import { readTyped } from '../../www/lens/stability/beside-typed.js';
 import { sorted } from '../../www/lens/stability/figures-table.js';
 import { PlanesBeside } from '../../www/lens/stability/planes-beside.js';
 import { csvOf } from '../../www/out/csv.js';
@@ -10,6 +12,7 @@ import { tableCsv } from '../../www/out/table-csv.js';
 import { drawPlanesBeside, layBeside, layGrid } from '../../www/view/planes-beside.js';
 import { linearLooks } from '../../www/run/linear-looks.js';
 import { parseList } from '../../www/words/list.js';
+import { voiceOf } from '../../www/words/voice.js';
 import { cubicOf, usual } from './linear-gear.mjs';
 import { recordingContext, written } from './plot-recorder.mjs';
 import { engine, openedApp } from './stories.mjs';
@@ -51,6 +54,23 @@ test('the comparisons of the thesis are there: so many planes, in the order of i
       return beside.y.parameter === entry.map?.y.parameter && planesOf(beside).some((values) => wanted.every(([name, value]) => (values[name] ?? usual[/** @type {keyof typeof usual} */ (name)]) === value));
     });
     assert.ok(isThere, entry.id);
+  }
+});
+
+test('a list that makes no comparison is refused with the reason, in the language of the page', () => {
+  const beside = /** @type {NonNullable<ReturnType<typeof readBeside>>} */ (readBeside(readyBesides[1].text, parameters));
+  const quantity = new Quantity(/** @type {typeof parameters[number]} */ (parameters.find(({ name }) => name === 'relaxationLength')));
+  const compute = (/** @type {Record<string, number>} */ values) => engine.eigenvalues({ model: 'torsional', parameters: values });
+  const typed = (/** @type {string} */ text, /** @type {'en' | 'tr'} */ language = 'en') => readTyped(text, { beside, at: 0, quantity }, compute, voiceOf(language));
+  const read = typed('0,1; 0.2; 0,1');
+  assert.ok(typeof read !== 'string');
+  assert.deepEqual(read.lists, [{ parameter: 'relaxationLength', values: [0.1, 0.2] }]);
+  const why = { ten: /“ten” is not a number/, '': /no number in it/, [Array.from({ length: 37 }, (_, i) => i + 1).join(' ')]: /more than 36 planes/, '0.1; -1': /must be above 0 m/ };
+  for (const [text, reason] of Object.entries(why)) assert.match(String(typed(text)), reason);
+  // Beyond all numbers, and beyond what the engine computes with: neither is a lower limit.
+  for (const text of ['1e400', '0.1; 1e20', '-1e400']) {
+    assert.match(String(typed(text)), /^One of these values is too large/, text);
+    assert.match(String(typed(text, 'tr')), /^Bu değerlerden biri hesaplanamayacak kadar büyük/, text);
   }
 });
 

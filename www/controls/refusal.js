@@ -16,13 +16,21 @@ import { withUnit } from './quantity.js';
  * @param {Voice} voice
  */
 export function explain(refusal, quantity, name, kept, voice) {
-  const values = { name, kept: quantity.number(kept, voice), allowed: refusal.allowed ?? '' };
-  if (refusal.code === 'not-a-number') return voice.say('refused.notANumber', values);
-  if (refusal.code === 'too-large') return voice.say('refused.tooLarge', values);
-  const [, sign, bound] = refusal.allowed?.match(/^(>|≥) (\S+)/) ?? [];
-  if (sign) {
-    const limit = withUnit(quantity.number(Number(bound), voice).replace(/[.,]0+$/, ''), quantity.unit);
-    return voice.say(sign === '>' ? 'refused.above' : 'refused.atLeast', { ...values, limit });
-  }
-  return voice.say(refusal.allowed?.startsWith('at most') ? 'refused.tooLarge' : 'refused.other', values);
+  const { reason, limit } = reasonOf(refusal, quantity, voice);
+  return voice.say(`refused.${reason}`, { name, kept: quantity.number(kept, voice), allowed: refusal.allowed ?? '', limit });
+}
+
+/**
+ * Which of the reasons that the page has words for it is, and the limit in words, '' where there is none.
+ * @param {Refusal} refusal
+ * @param {Quantity} quantity
+ * @param {Voice} voice
+ * @returns {{ reason: 'notANumber' | 'tooLarge' | 'above' | 'atLeast' | 'other', limit: string }}
+ */
+export function reasonOf({ code, allowed = '' }, quantity, voice) {
+  if (code === 'not-a-number') return { reason: 'notANumber', limit: '' };
+  if (code === 'too-large' || allowed.startsWith('at most')) return { reason: 'tooLarge', limit: '' };
+  const [, sign, bound] = allowed.match(/^(>|≥) (\S+)/) ?? [];
+  if (!sign) return { reason: 'other', limit: '' };
+  return { reason: sign === '>' ? 'above' : 'atLeast', limit: withUnit(quantity.number(Number(bound), voice).replace(/[.,]0+$/, ''), quantity.unit) };
 }

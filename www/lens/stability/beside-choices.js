@@ -1,8 +1,9 @@
 import { html, nothing } from 'lit';
 import { tell } from '../../command.js';
 import { nameOf, withUnit } from '../../controls/quantity.js';
-import { parseList, writeList } from '../../words/list.js';
-import { mostPlanes, readBeside, readyBesides, writeBeside } from './beside-settings.js';
+import { writeList } from '../../words/list.js';
+import { readBeside, readyBesides, writeBeside } from './beside-settings.js';
+import { readTyped } from './beside-typed.js';
 import { lowerName, plainSymbol, shortNumber } from './say.js';
 import { rangeOf } from './settings.js';
 
@@ -68,7 +69,7 @@ export function besideChoices(host, beside, voice) {
             aria-invalid=${refused ? 'true' : 'false'} aria-describedby=${refused ? `beside-why-${at}` : nothing} .value=${refused?.text ?? written}
             @change=${(/** @type {Event} */ event) => {
               const typed = /** @type {HTMLInputElement} */ (event.target).value;
-              const answer = read(host, beside, at, quantity, typed, voice);
+              const answer = readTyped(typed, { beside, at, quantity }, (values) => host.scene?.linear.eigenvalues(values), voice);
               host.refusal = typeof answer === 'string' ? { list: at, text: typed, why: answer } : null;
               if (typeof answer !== 'string') say(writeBeside(answer));
             }} />
@@ -102,33 +103,4 @@ function titleOf(host, { x, y, lists }, voice) {
     return `${plainSymbol(quantity)} ${withUnit(text, quantity.unit)}`;
   }).join(' × ');
   return `${what} (${voice.say('stability.ready', { up: symbol(y.parameter), across: symbol(x.parameter) })})`;
-}
-
-/**
- * What was typed as a comparison, or why it is none.
- * @param {import('./beside.js').BesidePlanes} host @param {Beside} beside @param {number} at @param {Quantity} quantity @param {string} typed @param {Voice} voice
- * @returns {Beside | string}
- */
-function read(host, beside, at, quantity, typed, voice) {
-  const { values: shown, stranger } = parseList(typed);
-  if (stranger !== null) return voice.say('beside.refused.notANumber', { text: stranger });
-  const values = [...new Set(shown.map((value) => quantity.toSI(value)))];
-  if (values.length === 0) return voice.say('beside.refused.empty');
-  const lists = beside.lists.map((list, i) => (i === at ? { ...list, values } : list));
-  if (lists.reduce((count, one) => count * one.values.length, 1) > mostPlanes) return voice.say('beside.refused.many', { count: mostPlanes });
-  for (const value of values) {
-    try {
-      host.scene?.linear.eigenvalues({ [quantity.name]: value });
-    } catch (error) {
-      return whyRefused(/** @type {{ allowed?: string }} */ (error), quantity, value, voice);
-    }
-  }
-  return { ...beside, lists };
-}
-
-/** @param {{ allowed?: string }} refusal @param {Quantity} quantity @param {number} value @param {Voice} voice */
-function whyRefused({ allowed = '' }, quantity, value, voice) {
-  const [, sign, bound] = allowed.match(/^(>|≥) (\S+)/) ?? [];
-  const values = { name: nameOf(quantity, voice), value: quantity.write(value, voice), allowed, limit: sign ? withUnit(shortNumber(quantity, Number(bound), voice), quantity.unit) : '' };
-  return voice.say(sign === '>' ? 'beside.refused.above' : sign ? 'beside.refused.atLeast' : 'beside.refused.other', values);
 }

@@ -74,6 +74,7 @@ export const linear = {
   'beside.refused.notANumber': '“{text}” is not a number. The planes stay as they are.',
   'beside.refused.empty': 'There is no number in it. The planes stay as they are.',
   'beside.refused.many': 'That would be more than {count} planes. They stay as they are.',
+  'beside.refused.tooLarge': 'One of these values is too large to compute with. The planes stay as they are.',
   'beside.refused.above': '{value}: {name} must be above {limit}. The planes stay as they are.',
   'beside.refused.atLeast': '{value}: {name} must be {limit} or more. The planes stay as they are.',
   'beside.refused.other': '{value}: {name} must be {allowed}. The planes stay as they are.',

@@ -74,6 +74,7 @@ export const linear = {
   'beside.refused.notANumber': '“{text}” bir sayı değil. Düzlemler olduğu gibi kaldı.',
   'beside.refused.empty': 'İçinde sayı yok. Düzlemler olduğu gibi kaldı.',
   'beside.refused.many': 'Bu, {count} düzlemden fazla ederdi. Oldukları gibi kaldılar.',
+  'beside.refused.tooLarge': 'Bu değerlerden biri hesaplanamayacak kadar büyük. Düzlemler olduğu gibi kaldı.',
   'beside.refused.above': '{value}: {name} {limit} değerinden büyük olmalı. Düzlemler olduğu gibi kaldı.',
   'beside.refused.atLeast': '{value}: {name} en az {limit} olmalı. Düzlemler olduğu gibi kaldı.',
   'beside.refused.other': '{value}: {name} için izin verilen: {allowed}. Düzlemler olduğu gibi kaldı.',
