@@ -9,7 +9,7 @@ import { sorted } from '../../www/lens/stability/figures-table.js';
 import { PlanesBeside } from '../../www/lens/stability/planes-beside.js';
 import { csvOf } from '../../www/out/csv.js';
 import { tableCsv } from '../../www/out/table-csv.js';
-import { drawPlanesBeside, layBeside, layGrid } from '../../www/view/planes-beside.js';
+import { drawPlanesBeside, layBeside, layGrid, widthOfEnds } from '../../www/view/planes-beside.js';
 import { linearLooks } from '../../www/run/linear-looks.js';
 import { parseList } from '../../www/words/list.js';
 import { voiceOf } from '../../www/words/voice.js';
@@ -134,6 +134,20 @@ test('planes fill rows without crossing each other or the picture, at any width'
       assert.ok(plots[i].bottom - plots[i].top > 60 && plots[i].top > box.top);
       for (const other of boxes.slice(0, i)) assert.ok(other.right <= box.left || other.left >= box.right || other.bottom <= box.top || other.top >= box.bottom);
     }
+  }
+});
+
+test('long numbers at the upward axis are drawn whole', () => {
+  const y = { parameter: 'torsionalStiffness', from: 0, to: 1e5 };
+  for (const width of [358, 604]) {
+    const { context, named } = recordingContext();
+    const ends = { x: ['0.5', '100'], y: ['0', '100\u202f000'] };
+    const layout = layBeside(width, 3, theme, { isTall: true, ends: widthOfEnds(context, ends.y, theme) });
+    const plane = { image: null, hatch: null, boundary: [], label: [], share: '', isOld: false, isNow: false };
+    drawPlanesBeside(context, { width, height: layout.height }, { x: sigmas.x, y, ends, ranges: [''], point: { x: 50, y: 0 }, planes: [plane, plane, plane] }, layout, theme);
+    const end = named('fillText').find(({ args }) => args[0] === ends.y[1]);
+    assert.ok(end && end.args[1] >= 0, `it begins at ${end?.args[1]} px of ${width}`);
+    assert.ok(layout.boxes.every(({ right }) => right < width));
   }
 });
 

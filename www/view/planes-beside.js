@@ -29,18 +29,22 @@ import { drawLabel, widthOfLabel } from './text.js';
 /** Narrower than this a plane is not read, in widths of small type; and its height by its width. */
 const [narrowest, narrowestOfGrid, shape] = [10, 6.5, 0.72];
 const gap = 10;
+/** From the numbers at an axis to it, and from there to the picture's edge. */
+const [besideAxis, margin] = [4, 4];
 
 /**
  * Where each plane goes: rows filled from the left, the words over each within its box.
  * @param {number} width
  * @param {number} count
  * @param {Theme} theme
- * @param {{ isTall: boolean }} words whether they take two lines
+ * @param {{ isTall: boolean, ends?: number }} words whether those over a plane take two lines; `ends`: how wide the ends of the
+ *   upward axis are
  * @returns {Layout}
  */
-export function layBeside(width, count, theme, { isTall }) {
+export function layBeside(width, count, theme, { isTall, ends = 0 }) {
   const edge = theme.size * 2.4;
-  const inner = width - 2 * edge;
+  const start = Math.max(edge, besideAxis + ends + margin);
+  const inner = width - start - edge;
   const most = Math.max(1, Math.floor((inner + gap) / (theme.size * narrowest + gap)));
   // Rows as equal as can be.
   const columns = Math.ceil(count / Math.ceil(count / most));
@@ -50,7 +54,7 @@ export function layBeside(width, count, theme, { isTall }) {
   const top = theme.size * 1.8;
   const boxes = Array.from({ length: count }, (_, i) => {
     const [column, row] = [i % columns, Math.floor(i / columns)];
-    const [left, upper] = [edge + column * (wide + gap), top + theme.size * 0.4 + row * (tall + gap)];
+    const [left, upper] = [start + column * (wide + gap), top + theme.size * 0.4 + row * (tall + gap)];
     return { left, right: left + wide, top: upper, bottom: upper + tall };
   });
   return { width, height: (boxes[count - 1]?.bottom ?? top) + gap + theme.size, top, boxes, plots: boxes.map((box) => ({ ...box, top: box.top + words })) };
@@ -118,8 +122,8 @@ function writeEnds(context, ends, plots, theme) {
   if (!first) return;
   const lowest = plots.findLast(({ left }) => left === first.left) ?? first;
   context.fillStyle = theme.ink2;
-  drawLabel(context, [{ text: ends.y[1] }], first.left - 4, first.top + theme.size * 0.8, theme, { align: 'right' });
-  drawLabel(context, [{ text: ends.y[0] }], first.left - 4, first.bottom, theme, { align: 'right' });
+  drawLabel(context, [{ text: ends.y[1] }], first.left - besideAxis, first.top + theme.size * 0.8, theme, { align: 'right' });
+  drawLabel(context, [{ text: ends.y[0] }], first.left - besideAxis, first.bottom, theme, { align: 'right' });
   drawLabel(context, [{ text: ends.x[0] }], lowest.left, lowest.bottom + theme.size * 1.1, theme);
   drawLabel(context, [{ text: ends.x[1] }], lowest.right, lowest.bottom + theme.size * 1.1, theme, { align: 'right' });
 }
@@ -159,6 +163,11 @@ function drawPlane(context, { left, right, top, bottom }, { image, hatch, bounda
 /** How wide the widest of some heads is. @param {CanvasRenderingContext2D} context @param {Run[][]} heads @param {Theme} theme */
 export function widthOfHeads(context, heads, theme) {
   return Math.max(...heads.map((head) => widthOfLabel(context, head, theme, 600)));
+}
+
+/** How wide the ends of an axis are. @param {CanvasRenderingContext2D} context @param {string[]} ends @param {Theme} theme */
+export function widthOfEnds(context, ends, theme) {
+  return Math.max(...ends.map((text) => widthOfLabel(context, [{ text }], theme)));
 }
 
 /** How wide the words over a plane are, in one line. @param {CanvasRenderingContext2D} context @param {Pick<PlaneShown, 'label' | 'share'>} plane @param {Theme} theme */

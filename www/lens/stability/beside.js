@@ -5,7 +5,7 @@ import { withUnit } from '../../controls/quantity.js';
 import { download } from '../../out/download.js';
 import { tableCsv } from '../../out/table-csv.js';
 import '../../view/canvas.js';
-import { drawPlanesBeside, layBeside, layGrid, widthOfHeads, widthOfWords } from '../../view/planes-beside.js';
+import { drawPlanesBeside, layBeside, layGrid, widthOfEnds, widthOfHeads, widthOfWords } from '../../view/planes-beside.js';
 import { besideChoices } from './beside-choices.js';
 import { besideOf, readyBesides, writeBeside } from './beside-settings.js';
 import { figuresTable, sorted } from './figures-table.js';
@@ -127,17 +127,17 @@ export class BesidePlanes extends Panel {
   #layout(beside, voice) {
     const { theme, width } = this;
     if (!theme || !this.#ruler || !(width > 0)) return null;
+    const ruler = this.#ruler;
     const [rows, columns] = beside.lists.map(({ values }) => values.length);
+    const ends = widthOfEnds(ruler, this.#endsOf(beside.y, voice), theme);
     if (columns) {
       const { left, top } = this.#heads(beside, voice);
-      return layGrid(width, { rows, columns }, theme, { left: Math.max(4 * theme.size, widthOfHeads(this.#ruler, left, theme)), top: widthOfHeads(this.#ruler, top, theme) });
+      return layGrid(width, { rows, columns }, theme, { left: Math.max(4 * theme.size, ends, widthOfHeads(ruler, left, theme)), top: widthOfHeads(ruler, top, theme) });
     }
-    const count = beside.lists.reduce((product, { values }) => product * values.length, 1);
-    const low = layBeside(width, count, theme, { isTall: false });
+    const low = layBeside(width, rows, theme, { isTall: false, ends });
     const room = low.boxes[0].right - low.boxes[0].left;
-    const ruler = this.#ruler;
     const isTall = this.items.some((item) => widthOfWords(ruler, { label: this.#labelOf(item, voice), share: this.#shareInWords(item, voice) }, theme) > room);
-    return isTall ? layBeside(width, count, theme, { isTall }) : low;
+    return isTall ? layBeside(width, rows, theme, { isTall, ends }) : low;
   }
 
   /** @type {import('../../view/canvas.js').Paint} */
