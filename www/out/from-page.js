@@ -30,7 +30,10 @@ export function materialOf(app, { view }, host, theme, address) {
     experiment: { object: model, parameters, run: { initial } },
     ...(shown && canvas?.paint && {
       picture: { size: canvas.size, paint: canvas.paint, over: inkOver(canvas) ?? undefined },
-      caption: { title: `${shown.title(voice)} · ${voice.say(`verdict.${mannerOf(session.outlook)}`)}`, values: valuesLine(quantities, state.parameters, voice), link: address },
+      caption: {
+        title: `${shown.title(voice)} · ${voice.say(`verdict.${mannerOf(session.outlook)}`)}`, note: (shown.note && host.querySelector(shown.note)?.textContent) ?? '',
+        values: valuesLine(quantities, state.parameters, voice), link: address,
+      },
       theme,
     }),
   };

@@ -5,7 +5,7 @@ import { textFont } from '../view/text.js';
  * @typedef {import('../view/canvas.js').Paint} Paint
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {{ size: Size, paint: Paint, over?: Paint }} Picture a view as it stands on the page; `over`: what a pen drew on it
- * @typedef {{ title: string, values: string, link: string }} Caption
+ * @typedef {{ title: string, note?: string, values: string, link: string }} Caption `note`: what is said of the view on the page
  * @typedef {Pick<CanvasRenderingContext2D, 'font' | 'textAlign' | 'textBaseline' | 'measureText'>} Ruler a context that knows the fonts
  */
 
@@ -13,15 +13,15 @@ const margin = 20;
 const lineHeight = 1.45;
 
 /**
- * A view with its caption, as it leaves the page: the title and the values above, the address below.
+ * A view with its caption, as it leaves the page: the title, what is said of it and the values above, the address below.
  * @param {Picture} picture
  * @param {Caption} caption
  * @param {Theme} theme
  * @param {Ruler} ruler
  * @returns {Picture}
  */
-export function plateOf({ size, paint, over }, { title, values, link }, theme, ruler) {
-  const above = [...lines(title, 1.3, 600, theme.ink), ...lines(values, 1, 400, theme.ink2)];
+export function plateOf({ size, paint, over }, { title, note = '', values, link }, theme, ruler) {
+  const above = [...lines(title, 1.3, 600, theme.ink), ...lines(note, 1, 400, theme.ink), ...lines(values, 1, 400, theme.ink2)];
   const below = lines(link, 0.85, 400, theme.ink2);
   // On whole pixels, so that what the view keeps as bitmaps stays sharp.
   const top = Math.round(margin + heightOf(above) + margin / 2);

@@ -3,7 +3,8 @@
  *
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {Pick<import('../store.js').State, 'lens' | 'views'>} Looked
- * @typedef {{ name: string, element: string, title: (voice: Voice) => string }} Shown `element`: its canvas, a selector
+ * @typedef {{ name: string, element: string, title: (voice: Voice) => string, note?: string }} Shown `element`: its canvas, a
+ *   selector; `note`: likewise what is said of it beside the picture and goes with it
  */
 
 /** @param {Looked} state @returns {Shown[]} */
@@ -32,7 +33,7 @@ const panels = {
 function stabilityViews({ stability }) {
   if (Object.hasOwn(panels, stability ?? '')) return panels[stability];
   if (stability === 'locus') return [{ name: 'locus', element: '#lens-panel shimmy-canvas', title: titled('stability.view.locus') }];
-  const plane = { name: 'plane', element: '#lens-panel shimmy-plane shimmy-canvas', title: titled('stability.title') };
+  const plane = { name: 'plane', element: '#lens-panel shimmy-plane shimmy-canvas', title: titled('stability.title'), note: '#lens-panel .share .full' };
   return [
     ...(stability === 'roots' ? [] : [plane]),
     { name: 'roots', element: '#lens-panel .roots shimmy-canvas', title: titled('roots.title') },

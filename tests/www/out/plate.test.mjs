@@ -7,8 +7,8 @@ import { theme } from '../theme.mjs';
 const size = { width: 300, height: 200 };
 const address = `https://example.org/#shimmy=1&${Array.from({ length: 14 }, (_, i) => `parameterNumber${i}=${i}`).join('&')}`;
 
-/** @param {string} link */
-function drawn(link) {
+/** @param {string} link @param {string} [note] */
+function drawn(link, note) {
   const { context, calls, named } = recordingContext();
   /** @type {string[]} */
   const order = [];
@@ -16,7 +16,7 @@ function drawn(link) {
     size,
     paint: (ctx) => { order.push('view'); ctx.moveTo(0, 0); },
     over: (ctx) => { order.push('pen'); ctx.moveTo(1, 1); },
-  }, { title: 'Nose gear · Phase', values: 'Speed\u00a080\u00a0m/s · Damping\u00a020', link }, theme, context);
+  }, { title: 'Nose gear · Phase', note, values: 'Speed\u00a080\u00a0m/s · Damping\u00a020', link }, theme, context);
   calls.length = 0;
   plate.paint(context, plate.size);
   return { plate, order, named };
@@ -41,4 +41,11 @@ test('title and values stand above the view, the address below, all of it', () =
 
 test('a short address leaves the plate lower', () => {
   assert.ok(drawn('https://example.org/').plate.size.height < drawn(address).plate.size.height - 50);
+});
+
+test('what is said of the view stands between title and values, and what is not takes no room', () => {
+  const { plate, named } = drawn('https://example.org/', '68.3\u00a0% of the plane is stable');
+  assert.deepEqual(named('fillText').map(({ args: [text] }) => text).slice(0, 3), ['Nose gear · Phase', '68.3\u00a0% of the plane is stable', 'Speed\u00a080\u00a0m/s · Damping\u00a020']);
+  assert.ok(plate.size.height > drawn('https://example.org/', '').plate.size.height + theme.size);
+  assert.equal(drawn('https://example.org/', '').plate.size.height, drawn('https://example.org/').plate.size.height);
 });
