@@ -1,7 +1,7 @@
 import { axisOf, drawAxes, frameOf } from './axes.js';
 import { drawHatch, hatchOf } from './hatch.js';
 import { linear, ticks } from './scale.js';
-import { textFont } from './text.js';
+import { textFont, writeEdged } from './text.js';
 
 /**
  * The upper half of the complex plane, which the lower mirrors: growth rate to the right, angular frequency upward, with
@@ -100,11 +100,7 @@ function drawGrid(context, { frame, x, y, taken }, { left, right, top }, theme, 
   const write = (/** @type {string} */ text, /** @type {number} */ at, /** @type {number} */ up, /** @type {CanvasTextAlign} */ align) => {
     context.textAlign = align;
     context.textBaseline = 'middle';
-    context.lineJoin = 'round';
-    context.lineWidth = 3;
-    context.strokeStyle = theme.surface;
-    context.strokeText(text, at, up);
-    context.fillText(text, at, up);
+    writeEdged(context, text, at, up, theme, 3);
     const width = context.measureText(text).width;
     const left = align === 'right' ? at - width : at - width / 2;
     taken.push({ left, right: left + width, top: up - 0.6 * theme.size, bottom: up + 0.6 * theme.size });

@@ -1,6 +1,6 @@
 import { strokeCurve } from './curve.js';
 import { ghost as ghostStyle, inStyle } from './strokes.js';
-import { textFont } from './text.js';
+import { textFont, writeEdged } from './text.js';
 
 /**
  * Pinned runs on a plot: each dashed in its own way, named in a corner, and numbered at the curve where there are several.
@@ -37,7 +37,6 @@ export function drawGhosts(context, ghosts, theme) {
   context.font = textFont(theme, 0.9, 600);
   context.textAlign = 'center';
   context.textBaseline = 'middle';
-  context.lineJoin = 'round';
   ghosts.forEach(({ curve }, i) => numberAt(context, curve, String(i + 1), theme));
 }
 
@@ -46,9 +45,6 @@ function numberAt(context, { count, x, y }, number, theme) {
   if (count < 1) return;
   let highest = 0;
   for (let i = 1; i < count; i++) if (y(i) < y(highest)) highest = i;
-  context.lineWidth = 5;
-  context.strokeStyle = theme.surface;
-  context.strokeText(number, x(highest), y(highest));
   context.fillStyle = theme.ghost;
-  context.fillText(number, x(highest), y(highest));
+  writeEdged(context, number, x(highest), y(highest), theme, 5);
 }

@@ -1,7 +1,7 @@
 import { freeCorner } from './corner.js';
 import { drawHollow } from './points.js';
 import { inStyle } from './strokes.js';
-import { textFont } from './text.js';
+import { textFont, writeEdged } from './text.js';
 import { drawVeil } from './veil.js';
 
 /**
@@ -144,11 +144,6 @@ function drawKey(context, key, box, theme) {
   context.font = fontOf(key, theme);
   context.textAlign = 'left';
   context.textBaseline = 'middle';
-  context.lineJoin = 'round';
-  context.lineWidth = 4;
-  context.strokeStyle = theme.surface;
-  const left = box.left + (style ? room : 0);
-  context.strokeText(text, left, middle);
   context.fillStyle = key.color;
-  context.fillText(text, left, middle);
+  writeEdged(context, text, box.left + (style ? room : 0), middle, theme);
 }

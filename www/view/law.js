@@ -3,7 +3,7 @@ import { curveOf, strokeCurve } from './curve.js';
 import { drawGap, nameGap } from './gap.js';
 import { drawHollow, drawPresent, drawSmear } from './points.js';
 import { decimalsUpTo, valueOf } from './quantities.js';
-import { drawLabel, textFont } from './text.js';
+import { drawLabel, textFont, writeEdged } from './text.js';
 
 /**
  * One force law: its curve, the part that the last cycle ran through, and the point where it is now.
@@ -138,12 +138,8 @@ function writeNow(context, { up, limits }, now, x, y, frame, theme, voice) {
   const place = axis + (isLeft ? -0.6 : 0.6) * theme.size;
   context.textAlign = isLeft ? 'right' : 'left';
   context.textBaseline = 'middle';
-  context.lineJoin = 'round';
-  context.lineWidth = 4;
-  context.strokeStyle = theme.surface;
-  context.strokeText(words, place, middle);
   context.fillStyle = theme[up.color];
-  context.fillText(words, place, middle);
+  writeEdged(context, words, place, middle, theme);
 }
 
 /** @param {CanvasRenderingContext2D} context @param {Place[]} ghosts @param {(v: number) => number} x @param {(v: number) => number} y @param {Theme} theme */
@@ -151,12 +147,6 @@ function numberGhosts(context, ghosts, x, y, theme) {
   context.font = textFont(theme, 0.9, 600);
   context.textAlign = 'center';
   context.textBaseline = 'alphabetic';
-  context.lineJoin = 'round';
-  context.lineWidth = 4;
-  context.strokeStyle = theme.surface;
   context.fillStyle = theme.ghost;
-  ghosts.forEach(({ across, up }, i) => {
-    context.strokeText(String(i + 1), x(across), y(up) - theme.size * 0.6);
-    context.fillText(String(i + 1), x(across), y(up) - theme.size * 0.6);
-  });
+  ghosts.forEach(({ across, up }, i) => writeEdged(context, String(i + 1), x(across), y(up) - theme.size * 0.6, theme));
 }

@@ -1,4 +1,4 @@
-import { drawHatch, hatchOf } from './hatch.js';
+import { hatchOf } from './hatch.js';
 import { cellAt, valueIn } from './field.js';
 import { isoLinesOf } from './iso-lines.js';
 import { overlap } from './corner.js';
@@ -148,8 +148,6 @@ function holds(box, frame, across, up) {
   const [x, y] = [frame.left + across * (frame.right - frame.left), frame.bottom - up * (frame.bottom - frame.top)];
   return x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;
 }
-
-export { drawHatch };
 
 /** @param {CanvasRenderingContext2D} context @param {Word[]} words @param {string} font @param {Theme} theme */
 function writeWords(context, words, font, theme) {

@@ -2,7 +2,7 @@ import { drawComplexPlane, imaginaryName } from './complex-plane.js';
 import { overlap } from './corner.js';
 import { drawCross } from './roots.js';
 import { colorsOf, written } from './map-colors.js';
-import { textFont, widthOfLabel } from './text.js';
+import { textFont, widthOfLabel, writeEdged } from './text.js';
 import { drawVeil } from './veil.js';
 
 /**
@@ -85,8 +85,8 @@ const beside = [0.7, 2, 3.5];
 function nameWays(context, ways, roots, { frame, x, y, taken }, theme) {
   context.font = textFont(theme, 0.9, 600);
   context.textBaseline = 'middle';
-  context.lineJoin = 'round';
-  context.lineWidth = 4;
+  context.textAlign = 'left';
+  context.fillStyle = theme.ink;
   const ends = ways.flatMap(({ label, paths }) => {
     const isSeen = (/** @type {Root} */ { re, im }) => im > 0 && x(re) > frame.left && x(re) < frame.right && y(im) > frame.top;
     const ends = paths.flatMap((path) => {
@@ -109,13 +109,9 @@ function nameWays(context, ways, roots, { frame, x, y, taken }, theme) {
     const box = inside.find((one) => !full.some((other) => overlap(one, other))) ?? inside[0];
     if (!box) continue;
     full.push(box);
-    context.textAlign = 'left';
     const middle = (box.top + box.bottom) / 2;
     lowest = middle;
-    context.strokeStyle = theme.surface;
-    context.strokeText(label, box.left, middle);
-    context.fillStyle = theme.ink;
-    context.fillText(label, box.left, middle);
+    writeEdged(context, label, box.left, middle, theme);
   }
 }
 

@@ -1,6 +1,6 @@
 import { drawComplexPlane, imaginaryName } from './complex-plane.js';
 import { writeCornerReading } from './corner-reading.js';
-import { textFont, widthOfLabel } from './text.js';
+import { textFont, widthOfLabel, writeEdged } from './text.js';
 import { drawVeil } from './veil.js';
 
 /**
@@ -94,14 +94,10 @@ function markCrossing(context, { at, text }, { frame, x, y }, theme) {
   context.font = textFont(theme, 1, 600);
   context.textAlign = 'right';
   context.textBaseline = 'middle';
-  context.lineJoin = 'round';
-  context.lineWidth = 4;
-  context.strokeStyle = theme.surface;
+  context.fillStyle = theme.ink;
   // The numbers of the rays stand along the upper edge.
   const below = Math.min(Math.max(up + 1.4 * theme.size, frame.top + 2.4 * theme.size), frame.bottom - 0.8 * theme.size);
-  context.strokeText(text, across - theme.size, below);
-  context.fillStyle = theme.ink;
-  context.fillText(text, across - theme.size, below);
+  writeEdged(context, text, across - theme.size, below, theme);
 }
 
 /** A root that the picture does not reach: at the edge, with its real part. @param {CanvasRenderingContext2D} context @param {Root} root @param {Places} places @param {Theme} theme @param {Voice} voice */
@@ -121,11 +117,5 @@ function markBeyond(context, root, { frame, x, y }, theme, voice) {
   context.font = textFont(theme, 0.85);
   context.textAlign = isLeft ? 'left' : 'right';
   context.textBaseline = 'middle';
-  context.lineJoin = 'round';
-  context.lineWidth = 3;
-  context.strokeStyle = theme.surface;
-  const text = voice.number(root.re, 0);
-  const beside = across + side * (size * 1.4 + 4);
-  context.strokeText(text, beside, up - theme.size * 0.55);
-  context.fillText(text, beside, up - theme.size * 0.55);
+  writeEdged(context, voice.number(root.re, 0), across + side * (size * 1.4 + 4), up - theme.size * 0.55, theme, 3);
 }

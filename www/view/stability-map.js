@@ -1,11 +1,12 @@
 import { drawAxes, frameOf } from './axes.js';
 import { drawBoundary } from './boundary.js';
 import { writeCornerReading } from './corner-reading.js';
+import { drawHatch } from './hatch.js';
 import { linear } from './scale.js';
 import { drawMapLegend } from './map-legend.js';
-import { drawHatch, drawIsoLines, drawMapNumbers, drawRegionWords } from './map-sheet.js';
+import { drawIsoLines, drawMapNumbers, drawRegionWords } from './map-sheet.js';
 import { parameterAxis } from './parameter-axis.js';
-import { textFont, widthOfLabel } from './text.js';
+import { textFont, widthOfLabel, writeEdged } from './text.js';
 import { drawVeil } from './veil.js';
 import { boxOfWorkingPoint, drawGuides, drawWorkingPoint } from './working-point.js';
 
@@ -121,11 +122,6 @@ function markEngaged(context, { left, right, top, bottom }, { x }, words, theme)
   context.font = textFont(theme, 0.95, 600);
   context.textAlign = 'left';
   context.textBaseline = 'middle';
-  context.lineJoin = 'round';
-  context.lineWidth = 4;
-  context.strokeStyle = theme.surface;
-  const [across, up] = [left + 0.7 * theme.size, isUpright ? top + theme.size : bottom - theme.size];
-  context.strokeText(words, across, up);
   context.fillStyle = theme.freeplayText;
-  context.fillText(words, across, up);
+  writeEdged(context, words, left + 0.7 * theme.size, isUpright ? top + theme.size : bottom - theme.size, theme);
 }

@@ -56,6 +56,23 @@ export function drawLabel(context, runs, x, y, theme, { align = 'left', weight =
 }
 
 /**
+ * Writes in the font, the color and the alignment in force, with an edge by which letters stand off what they cross.
+ * @param {CanvasRenderingContext2D} context
+ * @param {string} text
+ * @param {number} x
+ * @param {number} y
+ * @param {Theme} theme
+ * @param {number} [width] of the edge, both sides together
+ */
+export function writeEdged(context, text, x, y, theme, width = 4) {
+  context.lineJoin = 'round';
+  context.lineWidth = width;
+  context.strokeStyle = theme.surface;
+  context.strokeText(text, x, y);
+  context.fillText(text, x, y);
+}
+
+/**
  * @param {CanvasRenderingContext2D} context
  * @param {Run[]} runs
  * @param {Theme} theme
