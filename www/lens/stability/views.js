@@ -10,7 +10,7 @@ import './routh.js';
 /**
  * The views of the lens *Stability*. A new one is a file here (or an element of its own, see panel-view.js), its line in this
  * list, its name in settings.js and in the words (`stability.view.<name>`); its layout is in style/stability.css, under
- * `[data-view='<name>']`.
+ * `[data-view='<name>']`, that of an element of its own in a file of style/stability/.
  *
  * @typedef {{
  *   template: (voice: import('../../words/voice.js').Voice) => unknown,
