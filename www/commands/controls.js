@@ -11,7 +11,8 @@ export function controlCommands(app) {
       app.explained = app.explained === name ? null : name;
     },
     /**
-     * Sets two values at once, as a point in a plane is dragged: clamped to the plane by whoever asks, so a refusal is left be.
+     * Sets values at once: those of a point that is dragged in a plane, or those of a case. Whoever asks has them from a range
+     * or a list that the engine has taken, so a refusal is left be.
      * @param {{ values: Record<string, number>, gesture: string | null }} point in SI
      */
     point: ({ values, gesture }) => {

@@ -1,5 +1,6 @@
 import { mannerOf } from '../stage/manner.js';
 import { swing } from '../stage/verdict-line.js';
+import { decimalsFor } from '../words/number.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
@@ -23,15 +24,7 @@ export function destination(outlook, voice) {
   if (verdict === 'grows' || !frequency) return voice.say('phase.grows');
   return voice.say(verdict === 'rattles' ? 'phase.rattle' : 'phase.cycle', {
     degrees: `±${voice.number(amplitude.torsionAngle * degrees, 3)}°`,
-    radians: voice.number(amplitude.torsionAngle, significant(amplitude.torsionAngle, 5)),
+    radians: voice.number(amplitude.torsionAngle, decimalsFor(amplitude.torsionAngle, 5)),
     frequency: voice.number(frequency, 2),
   });
-}
-
-/**
- * Decimals that show so many significant digits.
- * @param {number} value @param {number} digits
- */
-function significant(value, digits) {
-  return Math.max(0, digits - 1 - Math.floor(Math.log10(value || 1)));
 }

@@ -2,7 +2,7 @@ import { html } from 'lit';
 import '../view/canvas.js';
 import { PlotLens } from './plot-lens.js';
 import { RootsWalk, isStable } from './stability/roots-walk.js';
-import { crossingInWords } from './stability/say.js';
+import { crossingInWords, inTheory } from './stability/say.js';
 import { viewNames } from './stability/settings.js';
 import { stabilityViews } from './stability/views.js';
 
@@ -84,8 +84,7 @@ export class StabilityLens extends PlotLens {
 
   /** What stays true however far the walk goes on, so without a number. @param {readonly import('../view/root-paths.js').Root[]} roots @param {Voice} voice */
   #becomes(roots, voice) {
-    const what = voice.say(isStable(roots) ? 'roots.falls' : 'roots.grows');
-    return this.isGapped ? voice.say('stability.linear', { what }) : what;
+    return inTheory(voice.say(isStable(roots) ? 'roots.falls' : 'roots.grows'), this.isGapped, voice);
   }
 
   /** @param {Map<string, unknown>} changed */

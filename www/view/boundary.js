@@ -10,7 +10,7 @@
 import { curveOf, strokeCurve } from './curve.js';
 
 /** @type {Readonly<Record<BoundaryCurve['kind'], number[]>>} */
-export const boundaryDashes = { hopf: [], divergence: [9, 4, 2, 4] };
+const dashes = { hopf: [], divergence: [9, 4, 2, 4] };
 
 /**
  * @param {CanvasRenderingContext2D} context
@@ -30,7 +30,7 @@ export function drawBoundary(context, curves, x, y, theme) {
     context.globalAlpha = 0.7;
     strokeCurve(context, curve, { isClosed: closed });
     context.globalAlpha = 1;
-    context.setLineDash(boundaryDashes[kind].map((length) => length * theme.line));
+    context.setLineDash(dashes[kind].map((length) => length * theme.line));
     context.strokeStyle = theme.unstable;
     context.lineWidth = (bounds ? 2.5 : 1) * theme.line;
     strokeCurve(context, curve, { isClosed: closed });

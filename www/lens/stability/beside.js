@@ -165,12 +165,12 @@ export class BesidePlanes extends Panel {
     const varied = [beside.x, beside.y, ...beside.lists].map(({ parameter }) => parameter);
     const others = this.quantities.filter(({ name, parameter }) => !varied.includes(name) && this.scene?.parameters[name] !== parameter.default);
     if (others.length === 0) return nothing;
-    const isSlack = this.scene?.linear.isGapped && varied.includes('torsionalStiffness');
+    const isSlack = this.isGapped && varied.includes('torsionalStiffness');
     const values = Object.fromEntries(others.map(({ name, parameter }) => [name, parameter.default]));
     return html`
       <p class="table-out strangers">
         <span>${voice.say('beside.strangers', { symbols: others.map(plainSymbol).join(', ') })}${isSlack ? ` ${voice.say('beside.slack')}` : ''}</span>
-        <button type="button" class="framed" @click=${() => { tell(this, 'point', { values, gesture: null }); tell(this, 'settle'); }}>${voice.say('beside.strangers.set')}</button>
+        <button type="button" class="framed" @click=${() => this.put(values)}>${voice.say('beside.strangers.set')}</button>
       </p>`;
   }
 
@@ -255,8 +255,7 @@ export class BesidePlanes extends Panel {
   #open({ values }, beside) {
     if (!beside) return;
     const { coloring } = planeOf(this.settings.plane ?? '', this.quantities.map(({ parameter }) => parameter));
-    tell(this, 'point', { values, gesture: null });
-    tell(this, 'settle');
+    this.put(values);
     tell(this, 'view', { of: 'plane', shows: writePlane({ x: beside.x, y: beside.y, coloring }) });
     tell(this, 'view', { of: 'stability', shows: 'plane' });
   }

@@ -9,7 +9,7 @@ import { casesColumns, casesCsv } from './cases.js';
 import { figuresTable, sorted } from './figures-table.js';
 import { fittingSpan, headroom, largest, wantedSpan } from './history-span.js';
 import { Panel } from './panel.js';
-import { becomesInTheory, doubling } from './say.js';
+import { becomesInTheory, doubling, inTheory } from './say.js';
 import { historiesOf, historySpans, historyStates, writeHistories } from './settings.js';
 
 /**
@@ -32,7 +32,6 @@ export class LinearAndNonlinear extends Panel {
   static properties = { ...Panel.properties, said: { state: true } };
 
   /** @type {Histories | null} */ #histories = null;
-  /** @type {import('./panel.js').LinearLooks | null} */ #roots = null;
   /** The axis holds while a slider moves. @type {{ scales: object | null, state: string, limit: number }} */ #axis = { scales: null, state: '', limit: 1 };
 
   /** Of the histories shown, in s. */ #span = 0;
@@ -51,7 +50,6 @@ export class LinearAndNonlinear extends Panel {
     const { state, duration: chosen } = this.#shown;
     const duration = this.#span = chosen ?? this.ask((linear) => fittingSpan(wantedSpan(linear, state), this.#span)) ?? historySpans[0];
     this.#histories = this.ask((linear) => linear.histories(duration, Math.max(400, Math.round(duration * samplesPerSecond))));
-    this.#roots = scene.linear;
     if (this.#histories) this.#hold(this.#histories, state, scene.scales);
     const cases = this.ask((linear) => linear.cases()) ?? [];
     const choose = (/** @type {string} */ name, /** @type {number | null} */ span) => tell(this, 'view', { of: 'histories', shows: writeHistories({ state: name, duration: span }) });
@@ -98,12 +96,11 @@ export class LinearAndNonlinear extends Panel {
 
   /** What linear theory says, in fewer and fewer words. @param {Voice} voice */
   #readings(voice) {
-    const isGapped = this.#roots?.isGapped ?? false;
     const roots = this.ask((linear) => linear.eigenvalues()) ?? [];
     if (roots.length === 0) return [voice.say('stability.none')];
-    const what = becomesInTheory(roots, isGapped, voice);
+    const what = becomesInTheory(roots, this.isGapped, voice);
     const times = doubling(roots[0].re, voice);
-    return [`${what} · ${times}`, what, isGapped ? voice.say('stability.linear', { what: times }) : times];
+    return [`${what} · ${times}`, what, inTheory(times, this.isGapped, voice)];
   }
 
   /** @param {Voice} voice */
@@ -139,9 +136,7 @@ export class LinearAndNonlinear extends Panel {
   /** Only what is another is set: what follows others need not be parted from them. @param {Case} one */
   #set(one) {
     const values = Object.fromEntries(Object.entries(this.#valuesOf(one)).filter(([name, value]) => this.scene?.parameters[name] !== value));
-    if (Object.keys(values).length === 0) return;
-    tell(this, 'point', { values, gesture: null });
-    tell(this, 'settle');
+    if (Object.keys(values).length > 0) this.put(values);
   }
 
   /** @param {readonly Case[]} cases @param {Voice} voice */

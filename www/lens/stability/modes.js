@@ -7,7 +7,7 @@ import { drawPhasors } from '../../view/phasors.js';
 import { decimalsFor } from '../../words/number.js';
 import { armsOf, phaseOf, statesOf } from './mode-shape.js';
 import { Panel } from './panel.js';
-import { rateOf } from './say.js';
+import { rateOf, signed } from './say.js';
 
 /**
  * @typedef {import('../../run/linear-looks.js').Mode} Mode
@@ -30,7 +30,6 @@ export class Modes extends Panel {
     this.#mode = chosen?.mode ?? null;
     if (!chosen) return html`<p class="panel-empty">${voice.say('stability.none')}</p>`;
     const { mode } = chosen;
-    const isGapped = this.scene?.linear.isGapped ?? false;
     const states = statesOf(mode).map((one) => `${one.plain} ${phaseOf(mode, one.name, voice)}`.trim()).join(', ');
     return html`
       <div class="panel-scroll modes" tabindex="0" role="group" aria-label=${voice.say('stability.view.modes')}>
@@ -41,7 +40,7 @@ export class Modes extends Panel {
               <input type="radio" name="mode" .checked=${one === chosen} @change=${() => tell(this, 'view', { of: 'mode', shows: one.name })} />
               <span>${rootInWords(one.mode, voice)}</span>
             </label>`)}
-          ${isGapped ? html`<span class="theory">${voice.say('panel.theory')}</span>` : ''}
+          ${this.isGapped ? html`<span class="theory">${voice.say('panel.theory')}</span>` : ''}
         </fieldset>
         <div class="phasors"><shimmy-canvas .label=${voice.say('modes.phasors', { states })} .paint=${this.#paint}></shimmy-canvas></div>
         <dl class="mode-facts">${facts(mode, voice)}</dl>
@@ -70,9 +69,6 @@ function rootInWords({ eigenvalue: { re, im } }, voice) {
   const what = re > 0 ? 'grows' : re < 0 ? 'falls' : 'lasts';
   return voice.say(`modes.pair.${what}`, { frequency: voice.number(im / circle, 1), rate: rateOf(re, voice) });
 }
-
-/** @param {number} rate @param {Voice} voice */
-const signed = (rate, voice) => (rate > 0 ? '+' : rate < 0 ? '−' : '') + rateOf(rate, voice);
 
 /** Its numbers, each with its name. @param {Mode} mode @param {Voice} voice */
 function facts(mode, voice) {

@@ -1,4 +1,5 @@
 import { LitElement, html } from 'lit';
+import { tell } from '../../command.js';
 import { isSameRecord } from '../../store.js';
 
 /**
@@ -65,6 +66,17 @@ export class Panel extends LitElement {
   /** @param {string} name */
   quantity(name) {
     return this.quantities.find((one) => one.name === name);
+  }
+
+  /** Whether linear theory speaks of a swing inside the gap alone. */
+  get isGapped() {
+    return this.scene?.linear.isGapped ?? false;
+  }
+
+  /** Gives the gear values, which are undone together. @param {Record<string, number>} values in SI */
+  put(values) {
+    tell(this, 'point', { values, gesture: null });
+    tell(this, 'settle');
   }
 
   /**

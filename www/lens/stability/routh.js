@@ -1,11 +1,11 @@
 import { html, mathml, nothing } from 'lit';
-import { tell } from '../../command.js';
 import { compared, equal, measured, named, number, of, power, product, typeset, written } from '../../controls/mathml.js';
 import { symbolOf } from '../../controls/symbol.js';
 import { withUnit } from '../../controls/quantity.js';
 import { decimalsFor } from '../../words/number.js';
 import { Panel } from './panel.js';
 import { conditionsOf, digitsApart, signChanges } from './routh-hurwitz.js';
+import { inTheory, plainSymbol } from './say.js';
 
 /**
  * @typedef {import('../../controls/mathml.js').Math} Math
@@ -41,8 +41,7 @@ export class Routh extends Panel {
   #verdict({ stable, unstableRoots, neutralRoots }, voice) {
     const what = stable ? voice.say('routh.stable')
       : unstableRoots > 0 ? voice.say('routh.unstable', { count: unstableRoots }) : voice.say('routh.neutral', { count: neutralRoots });
-    const isGapped = this.scene?.linear.isGapped ?? false;
-    return html`<div role="status"><h2 class=${stable ? '' : 'is-unstable'}>${isGapped ? voice.say('stability.linear', { what }) : what}</h2></div>`;
+    return html`<div role="status"><h2 class=${stable ? '' : 'is-unstable'}>${inTheory(what, this.isGapped, voice)}</h2></div>`;
   }
 
   /** Where the gear is on the boundary, for a press. @param {Voice} voice */
@@ -61,17 +60,11 @@ export class Routh extends Panel {
         <dd>${values.length === 0 ? voice.say('routh.none') : values.map((exact) => {
           const shown = quantity.toShown(exact);
           const text = withUnit(voice.number(shown, decimalsFor(shown, digits)), quantity.unit);
-          const does = voice.say('routh.set', { symbol: quantity.parameter.symbol.replace('_', ''), value: text });
+          const does = voice.say('routh.set', { symbol: plainSymbol(quantity), value: text });
           return html`<button type="button" class="framed" title=${does} aria-label=${does}
-            @click=${() => this.#set(quantity.name, exact)}>${symbolOf(quantity.parameter.symbol)} = ${text}</button>`;
+            @click=${() => this.put({ [quantity.name]: exact })}>${symbolOf(quantity.parameter.symbol)} = ${text}</button>`;
         })}</dd>`)}
       </dl>`;
-  }
-
-  /** @param {string} name @param {number} value in SI */
-  #set(name, value) {
-    tell(this, 'point', { values: { [name]: value }, gesture: null });
-    tell(this, 'settle');
   }
 }
 

@@ -13,7 +13,7 @@ import { decimalsFor, decimalsOf } from '../../words/number.js';
 const circle = 2 * Math.PI;
 
 /** The pair that swings and leads the others that do; undefined where none does. @param {readonly Root[]} roots by falling real part */
-export const pairOf = (roots) => roots.find(({ im }) => im > 0);
+const pairOf = (roots) => roots.find(({ im }) => im > 0);
 
 /** The rate of growth without its sign: `12.3`. @param {number} rate @param {Voice} voice */
 export function rateOf(rate, voice) {
@@ -35,7 +35,11 @@ export function becomes(roots, voice) {
 
 /** The same, and that it is linear theory where the gear is not linear even for a small swing. @param {readonly Root[]} roots @param {boolean} isGapped @param {Voice} voice */
 export function becomesInTheory(roots, isGapped, voice) {
-  const what = becomes(roots, voice);
+  return inTheory(becomes(roots, voice), isGapped, voice);
+}
+
+/** Whatever is said, and that it is linear theory inside the gap, where there is one. @param {string} what @param {boolean} isGapped @param {Voice} voice */
+export function inTheory(what, isGapped, voice) {
   return isGapped ? voice.say('stability.linear', { what }) : what;
 }
 
@@ -57,7 +61,7 @@ export function becomesBriefly(roots, isGapped, voice) {
 }
 
 /** A rate of growth with its sign. @param {number} rate @param {Voice} voice */
-const signed = (rate, voice) => (rate > 0 ? '+' : rate < 0 ? '−' : '') + rateOf(rate, voice);
+export const signed = (rate, voice) => (rate > 0 ? '+' : rate < 0 ? '−' : '') + rateOf(rate, voice);
 
 /** The pair in numbers: `52.1 Hz · +12.3 s⁻¹ · ζ −0.038`. @param {readonly Root[]} roots @param {Voice} voice */
 export function pairInNumbers(roots, voice) {
