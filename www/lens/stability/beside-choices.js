@@ -1,9 +1,10 @@
 import { html, nothing } from 'lit';
 import { tell } from '../../command.js';
-import { nameOf, withUnit } from '../../controls/quantity.js';
+import { withUnit } from '../../controls/quantity.js';
 import { writeList } from '../../words/list.js';
 import { readBeside, readyBesides, writeBeside } from './beside-settings.js';
 import { readTyped } from './beside-typed.js';
+import { parameterOption } from './option.js';
 import { lowerName, plainSymbol, shortNumber } from './say.js';
 import { rangeOf } from './settings.js';
 
@@ -33,8 +34,6 @@ export function besideChoices(host, beside, voice) {
   });
   const isReady = ready.some((one) => one.text === text);
   const taken = [beside.x, beside.y, ...beside.lists].map(({ parameter }) => parameter);
-  const option = (/** @type {Quantity} */ quantity, /** @type {string} */ selected) =>
-    html`<option value=${quantity.name} ?selected=${quantity.name === selected}>${plainSymbol(quantity)} ${nameOf(quantity, voice)}</option>`;
   const chosen = (/** @type {Event} */ event) => host.quantity(/** @type {HTMLSelectElement} */ (event.target).value);
   const free = (/** @type {string} */ own) => quantities.filter(({ name }) => name === own || !taken.includes(name));
 
@@ -43,7 +42,7 @@ export function besideChoices(host, beside, voice) {
       @change=${(/** @type {Event} */ event) => {
         const quantity = chosen(event);
         if (quantity) say(writeBeside({ ...beside, [which]: rangeOf(quantity.parameter) }));
-      }}>${free(beside[which].parameter).map((quantity) => option(quantity, beside[which].parameter))}</select>`;
+      }}>${free(beside[which].parameter).map((quantity) => parameterOption(quantity, beside[which].parameter, voice))}</select>`;
 
   /** Another parameter begins with the ends and the middle of its slider. @param {number} at @param {Quantity | undefined} quantity */
   const vary = (at, quantity) => {
@@ -62,7 +61,7 @@ export function besideChoices(host, beside, voice) {
       <div class="list">
         <select class="framed" aria-label=${voice.say(at === 0 ? 'beside.varied' : 'beside.second')} .value=${parameter} @change=${(/** @type {Event} */ event) => vary(at, chosen(event))}>
           ${at > 0 ? html`<option value="" ?selected=${parameter === ''}>${voice.say('beside.one')}</option>` : nothing}
-          ${free(parameter).map((one) => option(one, parameter))}
+          ${free(parameter).map((one) => parameterOption(one, parameter, voice))}
         </select>
         ${quantity ? html`
           <input type="text" class="list-field" autocomplete="off" aria-label=${voice.say('beside.values', { name: lowerName(quantity, voice), unit: quantity.unit })}

@@ -1,6 +1,6 @@
 import { html } from 'lit';
 import { tell } from '../../command.js';
-import { nameOf } from '../../controls/quantity.js';
+import { parameterOption } from './option.js';
 import { colorings, rangeOf, readyPlanes, writePlane } from './settings.js';
 import { lowerName, plainSymbol } from './say.js';
 
@@ -32,7 +32,7 @@ export function planeChoices(host, plane, quantities, voice, { isOpen, toggle })
   const side = (/** @type {'x' | 'y'} */ which, /** @type {'stability.across' | 'stability.up'} */ word) => html`
     <select class="framed folded" aria-label=${voice.say(word)} title=${voice.say(word)} .value=${plane[which].parameter}
       @change=${(/** @type {Event} */ event) => put(which, /** @type {HTMLSelectElement} */ (event.target).value)}>
-      ${quantities.map((quantity) => html`<option value=${quantity.name} ?selected=${quantity.name === plane[which].parameter}>${plainSymbol(quantity)} ${nameOf(quantity, voice)}</option>`)}
+      ${quantities.map((quantity) => parameterOption(quantity, plane[which].parameter, voice))}
     </select>`;
   return html`
     <div class=${isOpen ? 'plane-choices folding is-open' : 'plane-choices folding'}>

@@ -3,8 +3,8 @@ import { tell } from '../../command.js';
 import { nameOf } from '../../controls/quantity.js';
 import { explain } from '../../controls/refusal.js';
 import { parseNumber } from '../../words/number.js';
+import { parameterOption } from './option.js';
 import { rangeOf, thesisLocus, writeLocus } from './settings.js';
-import { plainSymbol } from './say.js';
 
 /**
  * What one chooses of a root locus: what is swept, from where to where, for one or some values of another; and figure 5.5.
@@ -33,8 +33,6 @@ export function locusChoices(host, locus, quantities, voice, { refused, refuse, 
   const byName = (/** @type {string} */ name) => quantities.find((one) => one.name === name);
   const swept = byName(sweep.parameter);
   const chosen = (/** @type {Event} */ event) => byName(/** @type {HTMLSelectElement} */ (event.target).value);
-  const option = (/** @type {Quantity} */ quantity, /** @type {string | undefined} */ selected) =>
-    html`<option value=${quantity.name} ?selected=${quantity.name === selected}>${plainSymbol(quantity)} ${nameOf(quantity, voice)}</option>`;
   /** What was swept is no family of itself. @param {Event} event */
   const sweepOther = (event) => {
     const quantity = chosen(event);
@@ -67,7 +65,7 @@ export function locusChoices(host, locus, quantities, voice, { refused, refuse, 
       <button type="button" class="framed" title=${voice.say('locus.thesis.does')} aria-pressed=${writeLocus(locus) === thesisLocus ? 'true' : 'false'}
         ?disabled=${!byName('velocity') || !byName('casterLength')} @click=${() => say(thesisLocus)}>${voice.say('locus.thesis')}</button>
       <select class="framed" aria-label=${voice.say('locus.sweep')} title=${voice.say('locus.sweep')} .value=${sweep.parameter} @change=${sweepOther}>
-        ${quantities.map((quantity) => option(quantity, sweep.parameter))}
+        ${quantities.map((quantity) => parameterOption(quantity, sweep.parameter, voice))}
       </select>
       <span class="range">${field('from')} … ${field('to')} <span class="unit">${swept?.unit}</span></span>
       <select class="framed" aria-label=${voice.say('locus.family')} title=${voice.say('locus.family')} .value=${family?.parameter ?? ''}
@@ -76,7 +74,7 @@ export function locusChoices(host, locus, quantities, voice, { refused, refuse, 
           choose({ family: quantity ? { ...rangeOf(quantity.parameter), count: some } : null });
         }}>
         <option value="" ?selected=${!family}>${voice.say('locus.single')}</option>
-        ${quantities.filter(({ name }) => name !== sweep.parameter).map((quantity) => option(quantity, family?.parameter))}
+        ${quantities.filter(({ name }) => name !== sweep.parameter).map((quantity) => parameterOption(quantity, family?.parameter, voice))}
       </select>
       <p class="why-refused" id="locus-why" role="alert">${refused ? html`<span aria-hidden="true">⚠ </span>${refused.why}` : ''}</p>
     </div>`;
