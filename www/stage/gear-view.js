@@ -8,7 +8,7 @@ import { gearAtRest } from './at-rest.js';
 import { drawGear, sheetFor, trackLength } from './gear/draw.js';
 import { grabTarget, isOnWheel } from './gear/grab.js';
 import { LARGEST_ANGLE } from './gear/pose.js';
-import { ghostLabel } from './ghost-label.js';
+import { ghostLabel, modeLabel } from './ghost-label.js';
 import { Hand } from './hand.js';
 import { layoutName, watchLayout } from './layout.js';
 import './wheel.js';
@@ -220,9 +220,7 @@ export class GearView extends LitElement {
     const { voice } = this;
     const ghost = this.#modes.look(scene, name);
     if (!ghost || !voice) return null;
-    const { re, im } = ghost.mode.eigenvalue;
-    const label = im > 0 ? voice.say('modes.ghost', { frequency: voice.number(im / (2 * Math.PI), 1) }) : voice.say('modes.ghost.real', { rate: voice.number(re, 1) });
-    return { ...ghost, isMode: true, label: scene.linear.isGapped ? voice.say('stability.linear', { what: label }) : label };
+    return { ...ghost, isMode: true, label: modeLabel(ghost.mode, scene.linear.isGapped, voice) };
   }
 
   /** Lays the wheel for the keyboard over the drawn one, and the magnification over the foot of the top view. */

@@ -29,3 +29,14 @@ export function ghostLabel(values, others, quantities, voice) {
   });
   return [...words, ...(different.length > most ? ['…'] : [])].join(', ');
 }
+
+/**
+ * What tells which mode a ghost is: "mode 53.8 Hz".
+ * @param {import('../run/linear-looks.js').Mode} mode
+ * @param {boolean} isGapped whether linear theory speaks of a swing inside the gap alone
+ * @param {Voice} voice
+ */
+export function modeLabel({ eigenvalue: { re, im } }, isGapped, voice) {
+  const what = im > 0 ? voice.say('modes.ghost', { frequency: voice.number(im / (2 * Math.PI), 1) }) : voice.say('modes.ghost.real', { rate: voice.number(re, 1) });
+  return isGapped ? voice.say('stability.linear', { what }) : what;
+}
