@@ -184,6 +184,11 @@ function isSameRun(one, other) {
   return one === other || (isSameRecord(one.initial, other.initial) && one.changes === other.changes && one.time === other.time);
 }
 
+/** @param {readonly unknown[]} one @param {readonly unknown[]} other */
+export function isSameList(one, other) {
+  return one.length === other.length && one.every((value, i) => value === other[i]);
+}
+
 /** @param {Readonly<Record<string, unknown>>} one @param {Readonly<Record<string, unknown>>} other */
 export function isSameRecord(one, other) {
   const names = new Set([...Object.keys(one), ...Object.keys(other)]);

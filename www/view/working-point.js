@@ -62,7 +62,7 @@ function drawArrow(context, x, y, angle, size, theme) {
   context.fill();
 }
 
-/** @param {{ x: number, y: number }} point @param {Box} frame */
-function withinFrame(point, { left, right, top, bottom }) {
+/** The point, or the nearest to it that is in the frame. @param {{ x: number, y: number }} point @param {Box} frame */
+export function withinFrame(point, { left, right, top, bottom }) {
   return { x: Math.min(Math.max(point.x, left), right), y: Math.min(Math.max(point.y, top), bottom) };
 }

@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import { withUnit } from '../../controls/quantity.js';
+import { isSameList } from '../../store.js';
 import { drawRootLocus } from '../../view/root-locus.js';
 import { locusChoices } from './locus-choices.js';
 import { Loci } from './loci.js';
@@ -68,7 +69,7 @@ export class LocusView {
   draw(scene) {
     const { walk, theme, isVeiled } = this.#lens;
     const wanted = [walk.roots, isVeiled ? null : this.#loci.look(scene, this.#locus), theme];
-    if (wanted.length === this.#drawn.length && wanted.every((one, i) => one === this.#drawn[i])) return;
+    if (isSameList(wanted, this.#drawn)) return;
     this.#drawn = wanted;
     this.#lens.canvas?.redraw();
   }

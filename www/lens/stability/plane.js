@@ -1,13 +1,15 @@
 import { LitElement, html } from 'lit';
 import { tell } from '../../command.js';
+import { isSameList } from '../../store.js';
 import '../../view/canvas.js';
-import { sheetOf } from '../../view/map-sheet.js';
 import { drawStabilityMap, frameOfMap, gapParameter, placesOfMap } from '../../view/stability-map.js';
-import { paintMapImage } from './map-image.js';
+import { withinFrame } from '../../view/working-point.js';
+import { MapPicture } from './map-picture.js';
 import { becomes, becomesBriefly, becomesInSigns, lowerName, plainSymbol, valueInWords } from './say.js';
 
 /**
  * @typedef {import('../../controls/quantity.js').Quantity} Quantity
+ * @typedef {import('../../view/axes.js').Box} Box
  * @typedef {import('../../run/scene.js').Scene} Scene
  * @typedef {import('../../style/theme.js').Theme} Theme
  * @typedef {import('../../words/voice.js').Voice} Voice
@@ -29,10 +31,7 @@ export class Plane extends LitElement {
   /** @type {Theme | null} */ #theme = null;
   /** @type {Looked | null} */ #looked = null;
   /** What is drawn already, so that nothing is drawn twice. @type {unknown[]} */ #drawn = [];
-  #image = document.createElement('canvas');
-  /** What the image and the sheet were made from. @type {unknown[]} */ #imageOf = [];
-  /** @type {unknown[]} */ #sheetOf = [];
-  /** @type {import('../../view/map-sheet.js').MapSheet | null} */ #sheet = null;
+  #picture = new MapPicture();
   /** The hand on the point: which pointer, how far beside its middle, and for a click where it began. @type {{ pointer: number, dx: number, dy: number, from: { x: number, y: number }, isClick: boolean } | null} */
   #grip = null;
   /** Where the mouse reads, in px. @type {{ x: number, y: number } | null} */ #hover = null;
@@ -120,15 +119,12 @@ export class Plane extends LitElement {
     if (!plane || !voice || !scene || !places) return;
     const point = this.#point;
     const wanted = [this.#looked, this.#theme, this.isVeiled, point.x, point.y, this.#hover?.x, this.#hover?.y];
-    if (wanted.every((one, i) => one === this.#drawn[i]) && wanted.length === this.#drawn.length) return;
+    if (isSameList(wanted, this.#drawn)) return;
     this.#drawn = wanted;
     this.#canvas?.redraw();
     const handle = /** @type {HTMLElement | null} */ (this.querySelector('.plane-point'));
-    const { frame } = places;
-    if (handle) Object.assign(handle.style, {
-      left: `${Math.min(Math.max(places.x(point.x), frame.left), frame.right).toFixed(1)}px`,
-      top: `${Math.min(Math.max(places.y(point.y), frame.top), frame.bottom).toFixed(1)}px`,
-    });
+    const { x, y } = ringOf(point, places);
+    if (handle) Object.assign(handle.style, { left: `${x.toFixed(1)}px`, top: `${y.toFixed(1)}px` });
     this.spoken = this.#readings(point, true)[0];
   }
 
@@ -147,36 +143,18 @@ export class Plane extends LitElement {
     const sides = this.#sides;
     const looked = this.#looked;
     if (!voice || !plane || !scene || !theme || !sides) return;
-    if (looked && !isVeiled) this.#prepare(context, size, looked, theme, voice);
+    const { coloring } = plane;
+    const isLinearOnly = scene.linear.isGapped || this.#gapSide !== undefined;
+    if (looked && !isVeiled) this.#picture.make(context, frameOfMap(size, theme), looked, { coloring, isLinearOnly }, theme, voice);
     const places = this.#places;
     const read = this.#hover && places ? { x: places.valueX(this.#hover.x), y: places.valueY(this.#hover.y) } : this.#point;
     drawStabilityMap(context, size, {
-      ...sides, image: looked ? this.#image : null, sheet: looked ? this.#sheet : null, boundary: looked?.boundary ?? [],
-      coloring: plane.coloring, limits: looked?.limits ?? { growthRate: 1, frequency: [0, 1] },
+      ...sides, image: looked ? this.#picture.image : null, sheet: looked ? this.#picture.sheet : null, boundary: looked?.boundary ?? [],
+      coloring, limits: looked?.limits ?? { growthRate: 1, frequency: [0, 1] },
       point: this.#point, readings: this.#readings(read), veiled: isVeiled,
       engaged: this.#gapSide?.from === 0 ? voice.say('stability.engaged', { symbol: plainSymbol(this.#gapSide.quantity) }) : '',
     }, theme, voice);
   };
-
-  /** Image and sheet for a map that is new, or to be drawn otherwise. @param {CanvasRenderingContext2D} context @param {import('../../view/canvas.js').Size} size @param {Looked} looked @param {Theme} theme @param {Voice} voice */
-  #prepare(context, size, { map, limits }, theme, voice) {
-    const { plane } = this;
-    if (!plane) return;
-    const { coloring } = plane;
-    const isLinearOnly = (this.#scene?.linear.isGapped ?? false) || this.#gapSide !== undefined;
-    const look = [map, limits, theme, coloring];
-    if (look.some((one, i) => one !== this.#imageOf[i])) {
-      paintMapImage(map, { coloring, limits }, theme, this.#image);
-      this.#imageOf = look;
-    }
-    const laid = [...look, size.width, size.height, voice, isLinearOnly];
-    if (laid.every((one, i) => one === this.#sheetOf[i])) return;
-    const words = isLinearOnly
-      ? { stable: voice.say('stability.stable.linear'), hopf: voice.say('stability.unstable.linear'), divergence: voice.say('stability.divergence.linear') }
-      : { stable: voice.say('stability.stable'), hopf: voice.say('stability.unstable'), divergence: voice.say('stability.divergence') };
-    this.#sheet = sheetOf(context, frameOfMap(size, theme), map, { coloring, limits, words }, theme, voice);
-    this.#sheetOf = laid;
-  }
 
   /** What linear theory says of a point, in fewer and fewer words: of a veiled one its values alone. @param {{ x: number, y: number }} point @param {boolean} [isSpoken] with names and units */
   #readings(point, isSpoken = false) {
@@ -205,14 +183,12 @@ export class Plane extends LitElement {
     const places = this.#places;
     if (event.button !== 0 || !event.isPrimary || !places || this.#grip) return;
     const { x, y } = placeOf(event, this);
-    const point = this.#point;
     event.preventDefault();
     const handle = /** @type {HTMLElement} */ (event.currentTarget);
     handle.setPointerCapture(event.pointerId);
     handle.focus({ preventScroll: true });
-    const { frame } = places;
-    const [atX, atY] = [Math.min(Math.max(places.x(point.x), frame.left), frame.right), Math.min(Math.max(places.y(point.y), frame.top), frame.bottom)];
-    this.#grip = { pointer: event.pointerId, dx: x - atX, dy: y - atY, from: { x, y }, isClick: false };
+    const ring = ringOf(this.#point, places);
+    this.#grip = { pointer: event.pointerId, dx: x - ring.x, dy: y - ring.y, from: { x, y }, isClick: false };
     this.#gestures++;
     this.#hover = null;
   }
@@ -244,7 +220,7 @@ export class Plane extends LitElement {
     if (this.#grip?.pointer === event.pointerId && Math.hypot(at.x - this.#grip.from.x, at.y - this.#grip.from.y) > widestClick) this.#grip = null;
     if (event.pointerType !== 'mouse') return;
     const frame = this.#places?.frame;
-    this.#hover = frame && at.x >= frame.left && at.x <= frame.right && at.y >= frame.top && at.y <= frame.bottom ? at : null;
+    this.#hover = frame && isInside(at, frame) ? at : null;
     this.#show();
   }
 
@@ -254,7 +230,7 @@ export class Plane extends LitElement {
     if (!grip?.isClick || grip.pointer !== event.pointerId) return;
     this.#grip = null;
     const frame = this.#places?.frame;
-    if (event.type !== 'pointerup' || !frame || grip.from.x < frame.left || grip.from.x > frame.right || grip.from.y < frame.top || grip.from.y > frame.bottom) return;
+    if (event.type !== 'pointerup' || !frame || !isInside(grip.from, frame)) return;
     this.#put(grip.from.x, grip.from.y, null);
     tell(this, 'settle');
   }
@@ -297,6 +273,12 @@ export class Plane extends LitElement {
     tell(this, 'settle');
   }
 }
+
+/** Where the ring of a point stands. @param {{ x: number, y: number }} point @param {{ frame: Box, x: (value: number) => number, y: (value: number) => number }} places */
+const ringOf = (point, { frame, x, y }) => withinFrame({ x: x(point.x), y: y(point.y) }, frame);
+
+/** @param {{ x: number, y: number }} at @param {Box} frame */
+const isInside = ({ x, y }, { left, right, top, bottom }) => x >= left && x <= right && y >= top && y <= bottom;
 
 /** @param {PointerEvent} event @param {HTMLElement} element */
 function placeOf(event, element) {

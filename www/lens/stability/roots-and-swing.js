@@ -1,4 +1,5 @@
 import { html } from 'lit';
+import { isSameList } from '../../store.js';
 import { drawLinearHistory } from '../../view/linear-history.js';
 import { pathsOf } from '../../view/root-paths.js';
 import { drawRoots } from '../../view/roots.js';
@@ -56,7 +57,7 @@ export class RootsAndSwing {
     // Axes that follow what is veiled would tell of it.
     if (!lens.isVeiled) this.#limits.hold(roots, scene.scales);
     const wanted = [roots, this.#limits.limits, lens.theme];
-    if (wanted.length === this.#drawn.length && wanted.every((one, i) => one === this.#drawn[i])) return;
+    if (isSameList(wanted, this.#drawn)) return;
     this.#drawn = wanted;
     for (const canvas of lens.querySelectorAll('.roots shimmy-canvas, .history shimmy-canvas')) /** @type {Canvas} */ (canvas).redraw();
     this.#speak();
