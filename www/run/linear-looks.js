@@ -1,5 +1,5 @@
 /**
- * What linear theory says of the gear as it is: asked for when a lens looks, with two of its values put elsewhere or not.
+ * What linear theory says of the gear as it is: asked for when a lens looks, with some of its values put elsewhere or not.
  * A gear with freeplay is linear about its middle, inside the gap, where no spring works.
  *
  * @typedef {import('../engine/engine.js').Engine} Engine
