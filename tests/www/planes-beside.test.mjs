@@ -171,6 +171,18 @@ test('each plane is drawn with its name, its share and its boundary; the gear st
   assert.ok(Math.abs(starts[0].args[0] - (layout.plots[0].left + (19.5 / 99.5) * (layout.plots[0].right - layout.plots[0].left))) < 0.01);
 });
 
+test('a plane of before is pale altogether, its hatch too', () => {
+  const hatchOf = (/** @type {boolean} */ isOld) => {
+    const { context, named } = recordingContext();
+    const layout = layBeside(604, 1, theme, { isTall: false });
+    const plane = { image: null, hatch: Float32Array.of(1, 9, 9, 1), boundary: [], label: [], share: '', isOld, isNow: false };
+    drawPlanesBeside(context, { width: 604, height: layout.height }, { ...sigmas, ends: { x: ['', ''], y: ['', ''] }, ranges: [''], point: { x: 0, y: 0 }, planes: [plane] }, layout, theme);
+    return named('stroke')[0].style;
+  };
+  assert.equal(hatchOf(true).strokeStyle, theme.unstable);
+  assert.ok(Math.abs(hatchOf(true).globalAlpha - 0.4 * hatchOf(false).globalAlpha) < 1e-12);
+});
+
 test('two lists lie as rows and columns with their values at the heads, to be scrolled where there is no room', () => {
   for (const [width, rows, columns] of [[358, 4, 3], [358, 4, 7], [604, 4, 7], [1200, 4, 7]]) {
     const layout = layGrid(width, { rows, columns }, theme, { left: 60, top: 130 });

@@ -54,14 +54,15 @@ export function hatchOf(box, isInside, { line }) {
 export function drawHatch(context, ends, theme) {
   context.strokeStyle = theme.unstable;
   context.lineWidth = theme.line;
-  context.globalAlpha = theme.scheme === 'dark' ? 0.5 : 0.55;
+  const { globalAlpha } = context;
+  context.globalAlpha = globalAlpha * (theme.scheme === 'dark' ? 0.5 : 0.55);
   context.beginPath();
   for (let i = 0; i < ends.length; i += 4) {
     context.moveTo(ends[i], ends[i + 1]);
     context.lineTo(ends[i + 2], ends[i + 3]);
   }
   context.stroke();
-  context.globalAlpha = 1;
+  context.globalAlpha = globalAlpha;
 }
 
 /** @param {(along: number) => boolean} inside @param {number} from @param {number} to @param {boolean} isFromInside */

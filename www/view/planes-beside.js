@@ -142,7 +142,6 @@ function drawPlane(context, { left, right, top, bottom }, { image, hatch, bounda
     drawHatch(context, hatch, theme);
     context.translate(-left, -top);
   }
-  context.globalAlpha = isOld ? 0.4 : 1;
   if (!isOld) drawBoundary(context, boundary, place.x, place.y, theme);
   if (isNow) {
     const ring = 4 * Math.sqrt(theme.line);
