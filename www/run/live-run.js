@@ -112,9 +112,10 @@ export class LiveRun {
    * @param {string | null} [gesture] changes of one gesture are one in the record
    */
   apply(change, gesture = null) {
+    const before = livedOf(this.place);
     this.#enact(change);
     const { set, state, kick } = change;
-    this.#record({ time: this.time, since: this.time, gesture, ...(set && { set }), ...(state && { state }), ...(kick !== undefined && { kick }) });
+    this.#record(before, { time: this.time, since: this.time, gesture, ...(set && { set }), ...(state && { state }), ...(kick !== undefined && { kick }) });
   }
 
   /** A hand let go: its gesture has ended. */
@@ -151,7 +152,7 @@ export class LiveRun {
       this.seek(Math.min(isUndone ? time : parting, reached));
       // What was done at this very instant has touched the state already: the place has it as it was.
       if (isUndone) this.#enact({ set: parameters, state });
-      for (const change of changes.filter(({ since }) => (isUndone ? since > time : since >= parting))) {
+      for (const change of changes.filter((one) => (isUndone ? one.time > time : one.time >= parting))) {
         this.#advanceTo(change.time);
         this.#enact(change);
       }
@@ -201,13 +202,12 @@ export class LiveRun {
     this.parameters = { ...this.parameters, ...set };
   }
 
-  /** @param {Done} change */
-  #record(change) {
-    const before = this.#changes.filter(({ time }) => time <= change.time);
+  /** @param {readonly Done[]} before what had been done @param {Done} change */
+  #record(before, change) {
     const last = before.at(-1);
     const isSame = last && !this.#isSettled && change.gesture !== null && last.gesture === change.gesture;
     this.#isSettled = false;
-    const merged = isSame && { ...last, ...change, since: last.since, set: last.set && { ...last.set, ...change.set } };
+    const merged = isSame && { ...last, ...change, since: last.since, ...(last.set && { set: { ...last.set, ...change.set } }) };
     this.#changes = merged ? [...before.slice(0, -1), merged] : [...before, change];
     if (this.#changes.length <= 4 * longestRecord) return;
     this.#changes = this.#changes.slice(-2 * longestRecord);
@@ -226,10 +226,24 @@ export class LiveRun {
  * @returns {Recipe}
  */
 export function recipeOf({ object, start, changes, isWhole, time, state, parameters }) {
-  const until = changes.filter((change) => change.time <= time).map(({ gesture: _, since: __, ...change }) => change);
+  const until = livedOf({ changes, time, state, parameters }).map(({ gesture: _, since: __, ...change }) => change);
   const { initial } = start;
   if (isWhole && until.length <= longestRecord && time <= longestTime) return { object, parameters: { ...start.parameters }, initial, changes: until, time };
   return { object, parameters: { ...parameters }, initial, changes: [{ time: 0, state }], time: 0 };
+}
+
+/**
+ * What has been done by the time of a place. Of a gesture that goes on beyond it there is the part that had been made: what
+ * was in force then.
+ * @param {Pick<Place, 'changes' | 'time' | 'state' | 'parameters'>} place
+ * @returns {readonly Done[]}
+ */
+function livedOf({ changes, time, state, parameters }) {
+  const then = (/** @type {Record<string, number>} */ values, /** @type {Readonly<Record<string, number>>} */ inForce) =>
+    Object.fromEntries(Object.keys(values).map((name) => [name, inForce[name]]));
+  return changes.filter(({ since }) => since <= time).map((change) => (change.time <= time ? change : {
+    ...change, time, ...(change.set && { set: then(change.set, parameters) }), ...(change.state && { state: then(change.state, state) }),
+  }));
 }
 
 /**
@@ -237,7 +251,7 @@ export function recipeOf({ object, start, changes, isWhole, time, state, paramet
  * @param {Place} one @param {Place} other
  */
 function partingOf(one, other) {
-  const known = Math.max(...[one, other].map(({ isWhole, changes }) => (isWhole ? -Infinity : changes[0].since)));
+  const known = Math.max(...[one, other].map(({ isWhole, changes }) => (isWhole ? -Infinity : changes[0].time)));
   const alone = [...one.changes, ...other.changes].filter((change) => !one.changes.includes(change) || !other.changes.includes(change));
-  return alone.reduce((first, { since }) => (since >= known ? Math.min(first, since) : first), Infinity);
+  return alone.reduce((first, { time }) => (time >= known ? Math.min(first, time) : first), Infinity);
 }
