@@ -138,6 +138,10 @@ test('the span fits: theory is seen to leave, a fall to its end, and nothing lon
   const [{ re }] = rootsOf({ velocity: 20, dampingConstant: 60 });
   assert.ok(Math.abs(wantedSpan(looks({ velocity: 20, dampingConstant: 60 }, { torsionAngle: 0.01 }), 'torsionAngle') - Math.log(20) / -re) < 1e-6);
   assert.equal(fittingSpan(wantedSpan(looks({ velocity: 20, dampingConstant: 10 }, { torsionAngle: 0.01 }), 'torsionAngle')), 2);
+  // A fall so fast that nothing would be seen is shown for five of its cycles.
+  const [fast] = rootsOf({ velocity: 20, dampingConstant: 200 });
+  assert.ok(Math.log(20) / -fast.re < (4 * 2 * Math.PI) / fast.im);
+  assert.ok(Math.abs(wantedSpan(looks({ velocity: 20, dampingConstant: 200 }, { torsionAngle: 0.01 }), 'torsionAngle') - (5 * 2 * Math.PI) / fast.im) < 1e-6);
   assert.equal(fittingSpan(0.12, 0.3), 0.3, 'it stays while it fits');
   assert.equal(fittingSpan(0.05, 0.3), 0.1);
   assert.equal(fittingSpan(0.31, 0.3), 0.5);

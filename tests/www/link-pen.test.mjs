@@ -43,6 +43,25 @@ test('a stylus keeps how hard it was pressed', () => {
   assert.deepEqual([read?.view, read?.points[0], read?.points.at(-1)], ['phase.portrait', ...points]);
 });
 
+test('a closed line stays closed, a line may leave the view, and how hard it was pressed goes along it', () => {
+  const loop = [...circle(100), circle(100)[0]];
+  const read = strokeOf(penPairs([{ view: 'gear', points: loop }])[0].slice(4));
+  for (const point of loop) assert.ok(read && distanceTo(point, read.points) < 0.0025);
+  const beyond = [{ x: -0.02, y: 1.2, pressure: 0.2 }, { x: 0.18, y: -0.3, pressure: 0.8 }];
+  const [pair] = penPairs([{ view: 'gear', points: beyond }]);
+  assert.equal(pair, 'pen=gear,-20.1200.20,180.-300.80');
+  const drawn = strokeOf(pair.slice(4))?.points ?? [];
+  assert.deepEqual([drawn[0], drawn.at(-1)], beyond);
+  const middle = drawn[Math.round(drawn.length / 2)];
+  assert.ok(Math.abs(middle.pressure - 0.5) < 0.01 && Math.abs(middle.x - 0.08) < 0.01 && Math.abs(middle.y - 0.45) < 0.01);
+});
+
+test('of more strokes than an address carries the latest go along', () => {
+  const strokes = Array.from({ length: mostStrokes + 3 }, (_, i) => ({ view: 'gear', points: [{ x: i / 1000, y: 0, pressure: 0.5 }] }));
+  const pairs = penPairs(strokes);
+  assert.deepEqual([pairs.length, pairs[0], pairs.at(-1)], [mostStrokes, 'pen=gear,3.0', `pen=gear,${mostStrokes + 2}.0`]);
+});
+
 test('a scribble is drawn by fewer points rather than fill the address', () => {
   const scribble = Array.from({ length: 5000 }, (_, i) => ({ x: 0.5 + 0.4 * Math.sin(i * 1.7), y: 0.5 + 0.4 * Math.cos(i * 2.3), pressure: 0.5 }));
   const [pair] = penPairs([{ view: 'gear', points: scribble }]);
@@ -51,7 +70,7 @@ test('a scribble is drawn by fewer points rather than fill the address', () => {
 });
 
 test('what is no stroke is none', () => {
-  for (const text of ['', 'gear', 'gear,', 'gear,1', 'gear,a.b', 'gear,1.2.300', 'gear,1.2.3.4', 'ge ar,1.2', `gear${',1.2'.repeat(500)}`])
+  for (const text of ['', 'gear', 'gear,', 'gear,1', 'gear,a.b', 'gear,1.2.300', 'gear,1.2.3.4', 'ge ar,1.2', `${'g'.repeat(41)},1.2`, `gear${',1.2'.repeat(500)}`])
     assert.equal(strokeOf(text), null, text.slice(0, 30));
 });
 

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { noteOn } from '../../www/link/note.js';
 import { readLink, storyIn, strangersIn } from '../../www/link/read.js';
 import { writeLink } from '../../www/link/write.js';
+import { mostGhosts } from '../../www/run/ghosts.js';
 import { voiceOf } from '../../www/words/voice.js';
 
 const state = [{ name: 'torsionAngle' }, { name: 'torsionRate' }, { name: 'lateralDeformation' }];
@@ -89,6 +90,26 @@ test('a damaged record is left out, part by part', () => {
     'ghost unclear', 'ghost unclear', 'view.phase unclear', 'story unclear', 'clock unknown', 'free unclear']);
   assert.deepEqual(read?.state.run.changes, [{ time: 0.5, kick: 3 }]);
   assert.equal(read?.state.run.time, 0.5);
+});
+
+test('a record out of order is put in order; a change too late, a ghost that cannot be, and one too many are left out', () => {
+  const late = readLink('#shimmy=2&do=0.3,kick:3&do=0.1,kick:1&do=121,kick:2&time=0.2', models, accepts);
+  assert.deepEqual(late?.state.run.changes, [{ time: 0.1, kick: 1 }, { time: 0.3, kick: 3 }]);
+  assert.equal(late?.state.run.time, 0.3, 'it goes as far as its last change');
+  assert.deepEqual(late?.problems.map(({ value, reason }) => [value, reason]), [['121,kick:2', 'unclear']]);
+  const good = Array.from({ length: mostGhosts }, (_, i) => `&ghost=0,torsional,velocity:${10 + i}`).join('');
+  const ghosts = readLink(`#shimmy=2&ghost=-1,torsional,velocity:3&ghost=0,torsional,velocity:-3${good}&ghost=0,torsional,velocity:9`, models, accepts);
+  assert.deepEqual(ghosts?.state.ghosts.map(({ parameters }) => parameters.velocity), [10, 11, 12, 13]);
+  assert.deepEqual(ghosts?.problems.map(({ value, reason }) => [value, reason]),
+    [['-1,torsional,velocity:3', 'unclear'], ['0,torsional,velocity:-3', 'unclear'], ['0,torsional,velocity:9', 'refused']]);
+});
+
+test('a lens that is not there yet is none, and a text too long for an address is read up to there', () => {
+  assert.deepEqual(readLink('#shimmy=2&lens=cycles', models, accepts)?.problems, [{ key: 'lens', value: 'cycles', reason: 'unknown' }]);
+  const long = readLink(`#shimmy=2&velocity=30&view.story=${'x'.repeat(60_000)}&dampingConstant=40`, models, accepts);
+  assert.deepEqual([long?.state.parameters.velocity, long?.state.parameters.dampingConstant], [30, 10]);
+  const setting = readLink(`#shimmy=2&view.besideSort=${'x'.repeat(60)},up`, models, accepts);
+  assert.deepEqual([setting?.problems.map(({ reason }) => reason), setting?.state.views], [['unclear'], {}]);
 });
 
 test('what is shown can be shown so, or the link says that it cannot', () => {

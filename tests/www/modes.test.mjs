@@ -73,7 +73,16 @@ test('the ghost swings as Re(V e^{iωt}) with the time of the run, 8° wide on t
     const behind = phase(angles) - phase(rolled);
     assert.ok(Math.abs(Math.cos(behind - shape.lateralDeformation.lag) - 1) < 1e-12);
     assert.ok(shape.lateralDeformation.lag > 0);
+    // ψ̇ is the rate of this very swing: what ψ gains in a thousandth of a turn.
+    const [before, after] = [-1, 1].map((way) => ghosts.look(sceneAt({ time: 0.5 + (way * 1e-3) / omega, magnification }), 'pair-1'));
+    const gained = (Number(after?.state[0]) - Number(before?.state[0])) / (2e-3 / omega);
+    const [{ eigenvalue: { re } }] = modesOf(shimmying);
+    // By its shape ψ̇ = λψ, so it leads by a little less than a quarter: by arctan(re/ω) it is off from iωψ.
+    assert.ok(Math.abs(Number(turn[0]?.state[1]) - gained - re * angles[0]) < 1e-5 * omega * size, `${turn[0]?.state[1]} for ${gained}`);
     const now = turn[0];
+    // The track lies where the wheel was: at each of its instants as the ghost was then.
+    const then = ghosts.look(sceneAt({ time: 0.49, magnification }), 'pair-1');
+    assert.ok(Math.abs(Number(now?.track.torsionAngle[0]) - Number(then?.state[0])) < 1e-12 && Math.abs(Number(now?.track.lateralDeformation[0]) - Number(then?.state[2])) < 1e-12);
     assert.equal(now?.track.torsionAngle[1], now?.state[0]);
     assert.equal(now?.track.lateralDeformation[1], now?.state[2]);
   }

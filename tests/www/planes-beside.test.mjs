@@ -80,6 +80,23 @@ const gear = (/** @type {Record<string, number>} */ values = {}) => {
   return { object: 'torsional', parameters: all, linear: linearLooks(engine, { model: 'torsional', parameters: all }) };
 };
 
+/** The stable part of the plane c over v, in per cent. @param {Record<string, number>} values */
+function exactShare(values) {
+  const [columns, rows] = [1500, 200];
+  let covered = 0;
+  for (let i = 0; i < columns; i++) {
+    const margin = (/** @type {number} */ dampingConstant) => {
+      const [a2, a1, a0] = cubicOf({ ...values, velocity: 0.5 + ((i + 0.5) / columns) * 99.5, dampingConstant });
+      return Math.min(a2, a0) > 0 ? a2 * a1 - a0 : -1;
+    };
+    for (let j = 0; j < rows; j++) {
+      const [below, above] = [margin((100 * j) / rows), margin((100 * (j + 1)) / rows)];
+      covered += below > 0 && above > 0 ? 1 : below <= 0 && above <= 0 ? 0 : Math.max(below, above) / Math.abs(below - above);
+    }
+  }
+  return (100 * covered) / (columns * rows);
+}
+
 test('shares agree with the closed form counted on a grid of our own', () => {
   const planes = new PlanesBeside();
   planes.look(gear(), sigmas);
@@ -93,7 +110,13 @@ test('shares agree with the closed form counted on a grid of our own', () => {
     }
     // The boundary cuts about 2 × 300 cells, whose error averages out: half a cell for each of their square root.
     assert.ok(Math.abs(Number(share) - (100 * stable) / side ** 2) < 0.05, `${JSON.stringify(values)}: ${share}`);
+    // The share is that of the exact boundary, not of cells: in each column the stable part is found to where a₂a₁ = a₀.
+    assert.ok(Math.abs(Number(share) - exactShare(values)) < 2e-3, `${JSON.stringify(values)}: ${share} for ${exactShare(values)}`);
     assert.ok(boundary.length > 0);
+    for (const { x, y } of boundary) x.forEach((velocity, i) => {
+      const [a2, a1, a0] = cubicOf({ ...values, velocity, dampingConstant: y[i] });
+      assert.ok(Math.abs(a2 * a1 / a0 - 1) < 1e-3, `${velocity} ${y[i]}`);
+    });
   }
 });
 

@@ -167,6 +167,33 @@ test('who undoes a walk, or several, has no way behind', () => {
   assert.deepEqual([walk.trail, walk.crossing], [[walk.roots], null]);
 });
 
+test('who walks on from a beginning that was undone to has a way behind through what came after it then', () => {
+  const walk = new RootsWalk();
+  const at = (/** @type {number} */ velocity, /** @type {number} */ now) => walk.follow(gear({ velocity, dampingConstant: 20 }), now);
+  [20, 30, 40, 20].forEach((velocity, i) => at(velocity, 10 * i));
+  assert.equal(walk.trail.length, 1, 'undone to the first');
+  at(25, 40);
+  at(30, 40.1);
+  assert.equal(walk.trail.length, 3);
+  assert.ok(walk.crossing);
+});
+
+test('the way of a walk has an end, another object has none behind it, and values that cannot be computed with leave nothing', () => {
+  const walk = new RootsWalk();
+  walk.follow(gear({ velocity: 20 }), 0);
+  for (let i = 1; i <= 1000; i++) walk.follow(gear({ velocity: 20 + i / 100 }), 10 + i / 1000);
+  assert.ok(walk.trail.length > 100 && walk.trail.length < 500, `${walk.trail.length}`);
+  assert.equal(walk.trail.at(-1), walk.roots);
+  walk.follow({ ...gear({ velocity: 31 }), object: 'torsional-linear' }, 11.1);
+  assert.deepEqual([walk.trail, walk.crossing], [[walk.roots], null]);
+  walk.follow(gear({ velocity: 20, dampingConstant: 20 }), 20);
+  walk.follow(gear({ velocity: 30, dampingConstant: 20 }), 30);
+  assert.ok(walk.crossing);
+  const broken = gear({ velocity: 21 });
+  assert.equal(walk.follow({ ...broken, linear: /** @type {any} */ ({ eigenvalues: () => { throw new Error('not finite'); } }) }, 30.1), 'changed');
+  assert.deepEqual([walk.roots, walk.trail, walk.crossing], [[], [], null]);
+});
+
 test('the picture of the roots widens for a pair and narrows only when it is fitted', () => {
   const held = new RootsLimits();
   const [first, second] = [{}, {}];

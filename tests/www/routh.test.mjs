@@ -19,6 +19,7 @@ test('the conditions have the numbers of the cubic, and break just beyond the kn
   const [first, second, third] = conditionsOf([1, a2, a1, a0]);
   assert.deepEqual([first.value, first.bound, second.value, second.bound, third.value, third.bound], [a2, 0, a0, 0, a2 * a1, a0]);
   assert.deepEqual([third.terms, third.than], [[2, 1], 0]);
+  assert.deepEqual(conditionsOf([1, 2, 3, 6]).map(({ isMet, isEqual }) => [isMet, isEqual]), [[true, false], [true, false], [false, true]], 'on the boundary a condition is not met');
   assert.deepEqual(conditionsOf([1, 2, 3]), [], 'written so for a third degree alone');
 });
 

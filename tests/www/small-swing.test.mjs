@@ -56,6 +56,21 @@ test('window and scale hold the whole swing', () => {
   }
 });
 
+test('a swing that changes slowly is watched for some eight cycles, one that grows fast until it is three times its start', () => {
+  const watched = (/** @type {Record<string, number>} */ values) => {
+    const roots = rootsOf(values);
+    const { duration } = smallSwing(linearLooks(engine, { model: 'torsional', parameters: values }), roots);
+    return { cycles: (duration * roots[0].im) / (2 * Math.PI), growth: Math.exp(duration * roots[0].re) };
+  };
+  // The window is a round one: the next above what is wanted is up to a half longer.
+  for (const values of [{ velocity: 80, dampingConstant: 47 }, { velocity: 20, dampingConstant: 20 }]) {
+    const { cycles } = watched(values);
+    assert.ok(cycles >= 8 && cycles <= 12, `${cycles}`);
+  }
+  const { cycles, growth } = watched({ velocity: 80, dampingConstant: 0 });
+  assert.ok(cycles < 8 && growth >= 3 && growth < 6, `${cycles} ${growth}`);
+});
+
 test('the amplitude of a sinusoid in an envelope is found', () => {
   const time = Float64Array.from({ length: 400 }, (_, i) => i / 2000);
   const angle = time.map((t) => 0.7 * Math.exp(9 * t) * Math.cos(320 * t + 1));

@@ -47,6 +47,8 @@ test('a link carries plane and locus, and says what of them it could not use', (
   const refused = read('view.plane=velocity:-5:60,dampingConstant:0:100,stable');
   assert.deepEqual(refused?.problems.map(({ key, reason }) => [key, reason]), [['view.plane', 'refused']]);
   assert.deepEqual(refused?.state.views, {});
+  for (const ends of ['velocity:1:50,relaxationLength:0.02:1:3', 'relaxationLength:0.02:1,velocity:1:50:3']) assert.deepEqual(read(`view.locus=${ends}`)?.problems, [], ends);
+  for (const ends of ['velocity:-1:50', 'relaxationLength:0.02:1,velocity:-1:50:3']) assert.deepEqual(read(`view.locus=${ends}`)?.problems.map(({ reason }) => reason), ['refused'], ends);
 });
 
 /** Stands for linear theory and counts what it is asked. */
@@ -84,6 +86,17 @@ test('a map is computed coarse at once, fine when asked, and anew only where ano
   assert.ok((first?.limits.growthRate ?? 0) >= 35 && (first?.limits.growthRate ?? 0) <= 50);
 });
 
+test('the scale of frequencies holds nearly all there are, and not those of what does not swing', () => {
+  const { linear } = counting();
+  const beats = { ...linear, map: (/** @type {{ count: number }} */ x, /** @type {{ count: number }} */ y) => {
+    const cells = { length: x.count * y.count };
+    return { stable: new Uint8Array(cells.length), stablePercent: 0, stableArea: 0, frequency: Float64Array.from(cells, (_, i) => (i % 3 ? 41 + (i % 101) / 10 : 0)) };
+  } };
+  const looked = new PlaneMap().look({ object: 'torsional', parameters: usual, linear: /** @type {any} */ (beats), scales: {} }, planeOf('velocity:0.5:100,dampingConstant:0:100,frequency', parameters));
+  const [from, to] = looked?.limits.frequency ?? [NaN, NaN];
+  assert.ok(from >= 39 && from <= 41.5 && to >= 50.5 && to <= 53, `${from} … ${to} Hz of 41 … 51`);
+});
+
 test('values that cannot be computed with leave the plane empty, and it comes back', () => {
   const { linear } = counting();
   const map = new PlaneMap();
@@ -107,4 +120,9 @@ test('each picture of the lens can be taken along by its name', () => {
   assert.deepEqual(names({}).slice(2), [['plane', 'Stability plane'], ['roots', 'Roots'], ['history', 'Linear history']]);
   assert.deepEqual(names({ stability: 'roots' }).slice(2), [['roots', 'Roots'], ['history', 'Linear history']]);
   assert.deepEqual(names({ stability: 'locus' }).slice(2), [['locus', 'Root locus']]);
+  assert.deepEqual(names({ stability: 'routh' }).slice(2), [], 'an array is no picture');
+  /** @type {Record<string, string>[]} */
+  const all = [{}, { stability: 'locus' }, { stability: 'modes' }, { stability: 'beside' }, { stability: 'histories' }];
+  const elements = new Set(all.flatMap((views) => viewsOf({ lens: 'stability', views }).slice(2).map(({ element }) => element)));
+  assert.equal(elements.size, 7, 'each is drawn on a canvas of its own');
 });

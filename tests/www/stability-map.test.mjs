@@ -56,6 +56,13 @@ test('colors switch exactly where the growth rate does, through the page’s own
   assert.equal(hex(colorOf(0)), theme.page);
   assert.equal(hex(colorOf(1e9)), hex(colorOf(limits.growthRate)));
   assert.notEqual(hex(colorOf(20)), hex(colorOf(40)));
+  // At the ends the page's own is mixed with the token of what becomes of the swing, by the same share for each channel.
+  for (const [rate, token] of /** @type {const} */ ([[40, theme.unstable], [-40, theme.stable]])) {
+    const of = (/** @type {string} */ color) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16));
+    const [page, end] = [of(theme.page), of(token)];
+    const shares = page.map((from, i) => (colorOf(rate)[i] - from) / (end[i] - from));
+    assert.ok(shares.every((share) => share > 0.5 && Math.abs(share - shares[0]) < 0.01), `${rate}: ${shares}`);
+  }
 });
 
 test('just stable or not has two colors; frequencies get bluer, and no beat has none of that', () => {
@@ -103,6 +110,10 @@ test('the boundary passes the published critical speeds, solid for Hopf and brok
   const within = recordingContext();
   drawStabilityMap(within.context, size, { ...shown, boundary: [{ ...boundary[0], bounds: false }] }, theme, voice);
   assert.ok(within.named('stroke').every(({ style }) => style.strokeStyle !== theme.unstable || style.lineWidth < 2.5), 'where nothing becomes stable the line is thin');
+  const around = recordingContext();
+  drawStabilityMap(around.context, size, { ...shown, boundary: [{ ...boundary[0], closed: true }] }, theme, voice);
+  const closed = (/** @type {typeof around} */ { named: of }) => of('closePath').filter(({ style }) => style.strokeStyle === theme.unstable && style.lineWidth === 2.5).length;
+  assert.deepEqual([closed(around), closed(within)], [1, 0], 'a region within the plane is gone around');
 });
 
 test('the map’s image fills the frame, and words stand in their own regions', () => {
@@ -117,6 +128,9 @@ test('the map’s image fills the frame, and words stand in their own regions', 
     assert.equal(map.stable[row * columns + column], word === 'dies out' ? 1 : 0, word);
   }
   assert.ok(!written(named('fillText')).includes('turns aside'));
+  const kind = Uint8Array.from(rates, () => 0);
+  const aside = sheetOf(recordingContext().context, frame, { ...map, kind }, look, theme, voice).words.map(({ text }) => text);
+  assert.deepEqual(aside, ['dies out', 'turns aside'], 'where the leading root does not swing');
 });
 
 test('a word finds the roomiest place of its region, or none', () => {
@@ -172,6 +186,19 @@ test('lines of one value lie on it, closed where they close, with their numbers'
   assert.deepEqual(isoLinesOf({ values: [1, NaN, 0, 1], columns: 2, rows: 2 }, [0.4]), [[]]);
   assert.ok(sheet.numbers.some(({ text }) => text === '+10') && sheet.numbers.some(({ text }) => text === '−10'));
   assert.ok(!sheet.numbers.some(({ text }) => text === '0'), 'the boundary is drawn from its own source');
+});
+
+test('on fine cells lines lie where they lie on coarse ones', () => {
+  const fine = { columns: 2 * columns, rows: 2 * rows };
+  const fineRates = growthRates({ ...dampingOverVelocity, ...fine });
+  const { lines } = sheetOf(recordingContext().context, frame, { ...fine, stable: Uint8Array.from(fineRates, (rate) => (rate < 0 ? 1 : 0)), growthRate: fineRates, frequency: null, kind: null }, look, theme, voice);
+  assert.ok(lines.length > 3 && lines.length === sheet.lines.length);
+  lines.forEach(({ x, y }, i) => {
+    const coarse = sheet.lines[i];
+    // Made of every other value: of about as many points, which lie between those there, a cell of 3 px apart.
+    assert.ok(Math.abs(x.length / coarse.x.length - 1) < 0.05, `${x.length} points for ${coarse.x.length}`);
+    x.forEach((across, j) => assert.ok(coarse.x.some((one, k) => Math.hypot(across - one, y[j] - coarse.y[k]) < 3), `${across} ${y[j]}`));
+  });
 });
 
 test('numbers of lines stand on the guides of the gear, and no line follows the edge of where nothing swings', () => {
