@@ -80,9 +80,10 @@ if (wanted.includes('frames')) {
 }
 
 if (wanted.includes('drag')) {
-  const { count, p50, p95, max } = await measureDrag(browser, server.address, { lens, seconds });
-  console.log(`\nA slider dragged, from the event to the end of the drawing, ${count} drawings`);
-  row('median, 95th percentile, worst', `${ms(p50)}, ${ms(p95)}, ${ms(max)}`, 'p95 ≤ 16.7 ms, never > 50 ms');
+  const { count, fromInput, fromHand } = await measureDrag(browser, server.address, { lens, seconds });
+  console.log(`\nA slider dragged, to the end of the drawing, median, 95th percentile and worst of ${count}`);
+  row('from the input event', `${ms(fromInput.p50)}, ${ms(fromInput.p95)}, ${ms(fromInput.max)}`, 'p95 ≤ 16.7 ms, never > 50 ms');
+  row('from the hand, with the wait for the frame', `${ms(fromHand.p50)}, ${ms(fromHand.p95)}, ${ms(fromHand.max)}`);
 }
 
 if (wanted.includes('memory')) {

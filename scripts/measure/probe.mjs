@@ -4,11 +4,13 @@
  *
  * @typedef {{
  *   frames: { at: number, script: number }[],
- *   latencies: number[],
+ *   answers: { at: number, hand: number, input: number }[],
  *   movingAt: number | null,
  *   wasmBytes: () => number,
  *   clear: () => void,
- * }} Probe `at` and `movingAt` in ms since the navigation began, `script` and `latencies` in ms
+ * }} Probe `at` and `movingAt` in ms since the navigation began, all else in ms. `answers`: drawings that an input has asked for,
+ *   to the end of all that its frame draws: from when the hand had moved, and from the event that tells the page of it, which
+ *   the browser keeps until it is about to draw.
  */
 
 /**
@@ -21,20 +23,24 @@ export function probe(gear) {
   /** @type {Probe} */
   const seen = {
     frames: [],
-    latencies: [],
+    answers: [],
     movingAt: null,
     wasmBytes: () => memories.reduce((sum, { buffer }) => sum + buffer.byteLength, 0),
     clear: () => {
       seen.frames.length = 0;
-      seen.latencies.length = 0;
+      seen.answers.length = 0;
     },
   };
   Object.assign(window, { shimmyProbe: seen });
 
   // Elements render in microtasks after the callback: hops behind them find the end.
   const hops = 40;
-  /** The oldest input that no drawing has answered yet. @type {number | null} */
+  let movedAt = 0;
+  /** @typedef {{ movedAt: number, toldAt: number }} Input */
+  /** The oldest input that no drawing has answered yet. @type {Input | null} */
   let asked = null;
+  /** What the frame that is being drawn answers. @type {Input | null} */
+  let answered = null;
   const draw = window.requestAnimationFrame.bind(window);
   window.requestAnimationFrame = (callback) => draw(async (now) => {
     const began = performance.now();
@@ -42,14 +48,21 @@ export function probe(gear) {
     for (let hop = 0; hop < hops; hop++) await null;
     const ended = performance.now();
     const last = seen.frames.at(-1);
-    if (last && last.at === now) last.script += ended - began;
-    else seen.frames.push({ at: now, script: ended - began });
-    if (asked !== null) seen.latencies.push(ended - asked);
-    asked = null;
+    if (last?.at === now) last.script += ended - began;
+    else {
+      seen.frames.push({ at: now, script: ended - began });
+      answered = asked;
+      asked = null;
+      if (answered) seen.answers.push({ at: now, hand: 0, input: 0 });
+    }
+    if (answered) Object.assign(/** @type {object} */ (seen.answers.at(-1)), { hand: ended - answered.movedAt, input: ended - answered.toldAt });
     look(ended);
   });
-  window.addEventListener('pointermove', ({ timeStamp, buttons }) => {
-    if (buttons) asked ??= timeStamp;
+  window.addEventListener('pointermove', ({ timeStamp }) => {
+    movedAt = timeStamp;
+  }, { capture: true });
+  window.addEventListener('input', ({ timeStamp }) => {
+    asked ??= { movedAt, toldAt: timeStamp };
   }, { capture: true });
 
   // The gear's drawing as one number a frame: all that its paths and turns are made of.

@@ -11,7 +11,7 @@ import './pen-layer.js';
  * @param {import('../style/theme.js').Theme} theme
  */
 export function showInk(host, { ink, isDrawing, state }, theme) {
-  if (!isDrawing && ink.strokes.length === 0 && !host.querySelector('shimmy-pen-layer')) return;
+  if (!isDrawing && ink.strokes.length === 0 && ink.shown.length === 0) return;
   const lens = /** @type {(HTMLElement & { view?: string }) | null} */ (host.querySelector('#lens-panel'));
   const wheel = host.querySelector('shimmy-gear > shimmy-canvas');
   const pictures = [...(lens?.querySelectorAll('shimmy-canvas') ?? [])];

@@ -13,9 +13,6 @@ import { planeOf } from './settings.js';
  * @typedef {import('../../words/voice.js').Voice} Voice
  */
 
-/** A coarse map is refined once nothing has changed for so many frames. */
-const patience = 2;
-
 /** The plane, and beneath it the roots and the swing of its point. @implements {View} */
 export class PlaneView {
   #lens;
@@ -23,8 +20,7 @@ export class PlaneView {
   #map = new PlaneMap();
   /** How much of the plane is stable, in per cent. @type {number | null} */ #share = null;
   /** Whether its choices are unfolded. */ #isOpen = false;
-  /** The map that waits to be refined, for how many frames more, and the frame asked for. */
-  #waiting = { map: /** @type {unknown} */ (null), frames: 0, frame: 0 };
+  /** The coarse map that was drawn last, and waits to be refined. @type {unknown} */ #coarse = null;
   /** @type {{ text: string, quantities: unknown, plane: import('./settings.js').Plane } | null} */ #read = null;
 
   /** @param {import('../stability.js').StabilityLens} lens */
@@ -84,20 +80,18 @@ export class PlaneView {
       this.#share = share;
       lens.requestUpdate();
     }
-    if (!looked?.isCoarse || looked === this.#waiting.map) return;
-    this.#waiting.map = looked;
-    this.#waiting.frames = patience;
-    this.#waiting.frame ||= requestAnimationFrame(this.#refineSoon);
+    if (!looked?.isCoarse || looked === this.#coarse) return;
+    this.#coarse = looked;
+    // Behind the drawing of the next frame: a hand that moves on has had a coarse map anew by then, and waits for no fine one.
+    requestAnimationFrame(() => setTimeout(() => this.#refine(looked)));
   }
 
-  #refineSoon = () => {
-    const waiting = this.#waiting;
-    waiting.frames--;
-    waiting.frame = waiting.frames > 0 && this.#lens.isConnected ? requestAnimationFrame(this.#refineSoon) : 0;
-    if (waiting.frame || !this.#lens.isConnected) return;
+  /** @param {unknown} coarse */
+  #refine(coarse) {
+    if (coarse !== this.#coarse || !this.#lens.isConnected) return;
     this.#map.refine();
     if (this.#lens.scene) this.#drawPlane(this.#lens.scene);
-  };
+  }
 
   /** @param {Voice} voice */
   #shareInWords(voice) {
