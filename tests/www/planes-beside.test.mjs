@@ -207,27 +207,36 @@ test('a plane of before is pale altogether, its hatch too', () => {
 });
 
 test('two lists lie as rows and columns with their values at the heads, to be scrolled where there is no room', () => {
-  for (const [width, rows, columns] of [[358, 4, 3], [358, 4, 7], [604, 4, 7], [1200, 4, 7]]) {
-    const layout = layGrid(width, { rows, columns }, theme, { left: 60, top: 130 });
+  for (const [width, first, second, isTurned] of /** @type {[number, number, number, boolean][]} */ ([[358, 4, 3, false], [358, 4, 7, true], [604, 4, 7, true], [1200, 4, 7, false]])) {
+    const layout = layGrid(width, [first, second], theme, { heads: [70, 130], ends: 20 });
+    assert.equal(layout.grid?.isTurned, isTurned, `${width}`);
     assert.ok(layout.boxes.every(({ left, right, bottom }) => left > 0 && right < layout.width && bottom < layout.height));
     layout.boxes.forEach((box, i) => {
-      assert.equal(box.left, layout.boxes[i % columns].left, 'a column');
-      assert.equal(box.top, layout.boxes[i - (i % columns)].top, 'a row');
+      const [ofFirst, ofSecond] = [layout.boxes[i - (i % second)], layout.boxes[i % second]];
+      assert.equal(box.left, (isTurned ? ofFirst : ofSecond).left, 'a column');
+      assert.equal(box.top, (isTurned ? ofSecond : ofFirst).top, 'a row');
     });
-    assert.equal(new Set(layout.boxes.map(({ left, top }) => `${left} ${top}`)).size, rows * columns);
-    assert.ok(layout.plots[0].right - layout.plots[0].left >= 130, 'as wide as its head');
+    assert.equal(new Set(layout.boxes.map(({ left, top }) => `${left} ${top}`)).size, first * second);
+    assert.ok(layout.plots[0].right - layout.plots[0].left >= (isTurned ? 70 : 130), 'as wide as its head');
+    assert.ok(layout.boxes[0].left >= (isTurned ? 130 : 70), 'beside its head');
   }
-  const { context, named } = recordingContext();
-  const layout = layGrid(604, { rows: 2, columns: 2 }, theme, { left: 60, top: 60 });
-  const plane = { image: null, hatch: null, boundary: [], label: [], isOld: false, isNow: false };
-  drawPlanesBeside(context, { width: layout.width, height: layout.height }, {
-    ...sigmas, ends: { x: ['0.5', '100'], y: ['0', '99'] }, ranges: ['v, c'], point: { x: 50, y: 25 },
-    planes: ['10 %', '20 %', '30 %', '40 %'].map((share) => ({ ...plane, share })),
-    heads: { left: [[{ text: 'e 0.09' }], [{ text: 'e 0.11' }]], top: [[{ text: 's 0.02' }], [{ text: 's 0.07' }]] },
-  }, layout, theme);
-  const at = (/** @type {string} */ word) => /** @type {[string, number, number]} */ (named('fillText').find(({ args }) => args[0] === word)?.args);
-  assert.ok(at('e 0.09')[1] < layout.plots[0].left && at('e 0.11')[2] > layout.plots[2].top && at('e 0.11')[2] < layout.plots[2].bottom);
-  assert.ok(at('s 0.07')[1] > layout.boxes[1].left && at('s 0.07')[2] <= layout.boxes[1].top);
+  assert.ok(layGrid(604, [4, 7], theme, { heads: [70, 70], ends: 20 }).width <= 604, 'seven values go down, not beyond the edge');
+  for (const isTurned of [false, true]) {
+    const { context, named } = recordingContext();
+    const layout = isTurned ? layGrid(200, [2, 3], theme, { heads: [60, 60], ends: 20 }) : layGrid(604, [2, 3], theme, { heads: [60, 60], ends: 20 });
+    assert.equal(layout.grid?.isTurned, isTurned);
+    const plane = { image: null, hatch: null, boundary: [], label: [], isOld: false, isNow: false };
+    drawPlanesBeside(context, { width: layout.width, height: layout.height }, {
+      ...sigmas, ends: { x: ['0.5', '100'], y: ['0', '99'] }, ranges: ['v, c'], point: { x: 50, y: 25 },
+      planes: ['10 %', '20 %', '30 %', '40 %', '50 %', '60 %'].map((share) => ({ ...plane, share })),
+      heads: [[[{ text: 'e 0.09' }], [{ text: 'e 0.11' }]], [[{ text: 's 0.02' }], [{ text: 's 0.07' }], [{ text: 's 0.12' }]]],
+    }, layout, theme);
+    const at = (/** @type {string} */ word) => /** @type {[string, number, number]} */ (named('fillText').find(({ args }) => args[0] === word)?.args);
+    // The second value of each list: its plane is the fourth of the first list, and the second of the second.
+    const [down, across] = isTurned ? [{ word: 's 0.07', plane: 1 }, { word: 'e 0.11', plane: 3 }] : [{ word: 'e 0.11', plane: 3 }, { word: 's 0.07', plane: 1 }];
+    assert.ok(at(down.word)[1] < layout.plots[0].left && at(down.word)[2] > layout.plots[down.plane].top && at(down.word)[2] < layout.plots[down.plane].bottom);
+    assert.ok(at(across.word)[1] > layout.boxes[across.plane].left && at(across.word)[1] < layout.boxes[across.plane].right && at(across.word)[2] <= layout.boxes[across.plane].top);
+  }
 });
 
 test('a table is sorted upward and downward, what is not known last, and as it was', () => {

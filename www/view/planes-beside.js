@@ -18,16 +18,17 @@ import { drawLabel, widthOfLabel } from './text.js';
  * }} PlaneShown `image`: a pixel a cell; `isNow`: its values are the gear's; `isOld`: of values that are no more
  * @typedef {{ x: Range, y: Range, ranges: string[], planes: readonly PlaneShown[], point: { x: number, y: number }, heads?: Heads | null, ends: { x: string[], y: string[] } }} Shown
  *   `ranges`: in words, in fewer and fewer of them; `ends`: of the axes, at the first plane
- * @typedef {{ left: Run[][], top: Run[][] }} Heads of the rows and columns of a grid, where two lists are compared
+ * @typedef {Run[][][]} Heads of each list, where two are compared in a grid
  */
 
 /**
- * @typedef {{ width: number, height: number, top: number, boxes: Box[], plots: Box[], columns?: number }} Layout
- *   `top`: where the ranges stand; `plots`: without the words; `columns`: of a grid
+ * @typedef {{ width: number, height: number, top: number, boxes: Box[], plots: Box[], grid?: Grid }} Layout
+ *   `top`: where the ranges stand; `plots`: without the words; boxes and plots as the planes come
+ * @typedef {{ rows: number, columns: number, isTurned: boolean }} Grid the first list down and the second across, or turned
  */
 
 /** Narrower than this a plane is not read, in widths of small type; and its height by its width. */
-const [narrowest, narrowestOfGrid, shape] = [10, 6.5, 0.72];
+const [narrowest, narrowestOfGrid, shape] = [10, 5.5, 0.72];
 const gap = 10;
 /** From the numbers at an axis to it, and from there to the picture's edge. */
 const [besideAxis, margin] = [4, 4];
@@ -61,24 +62,35 @@ export function layBeside(width, count, theme, { isTall, ends = 0 }) {
 }
 
 /**
- * The planes of two lists as rows and columns, with room for their heads: as wide as there is room, or wider, to be scrolled.
+ * The planes of two lists as rows and columns, with room for their heads: the first list down, or across where the second is
+ * longer than there is room for; as wide as the room, or wider, to be scrolled.
  * @param {number} room
- * @param {{ rows: number, columns: number }} grid
+ * @param {readonly [number, number]} counts of the two lists
  * @param {Theme} theme
- * @param {{ left: number, top: number }} heads how wide they are
+ * @param {{ heads: readonly [number, number], ends: number }} words how wide the heads of each list and the ends of the upward axis are
  * @returns {Layout}
  */
-export function layGrid(room, { rows, columns }, theme, heads) {
-  const [left, edge, words] = [heads.left + theme.size, theme.size * 1.6, theme.size * 1.7];
-  const wide = Math.max(theme.size * narrowestOfGrid, heads.top, Math.floor((room - left - edge - (columns - 1) * gap) / columns));
-  const tall = words + Math.round(shape * wide);
-  const top = theme.size * 1.8;
-  const boxes = Array.from({ length: rows * columns }, (_, i) => {
-    const [column, row] = [i % columns, Math.floor(i / columns)];
-    const [x, y] = [left + column * (wide + gap), top + theme.size * 1.6 + row * (tall + gap)];
-    return { left: x, right: x + wide, top: y, bottom: y + tall };
-  });
-  return { width: left + columns * (wide + gap) - gap + edge, height: boxes[boxes.length - 1].bottom + gap + theme.size, top, boxes, plots: boxes.map((box) => ({ ...box, top: box.top + words })), columns };
+export function layGrid(room, counts, theme, { heads, ends }) {
+  const lay = (/** @type {boolean} */ isTurned) => {
+    const [rows, columns] = isTurned ? [counts[1], counts[0]] : counts;
+    const [leftHeads, topHeads] = isTurned ? [heads[1], heads[0]] : heads;
+    const [left, edge, words] = [Math.max(4 * theme.size, ends, leftHeads) + theme.size, theme.size * 1.6, theme.size * 1.7];
+    const wide = Math.max(theme.size * narrowestOfGrid, topHeads, Math.floor((room - left - edge - (columns - 1) * gap) / columns));
+    const tall = words + Math.round(shape * wide);
+    const top = theme.size * 1.8;
+    const boxes = Array.from({ length: rows * columns }, (_, i) => {
+      const [first, second] = [Math.floor(i / counts[1]), i % counts[1]];
+      const [row, column] = isTurned ? [second, first] : [first, second];
+      const [x, y] = [left + column * (wide + gap), top + theme.size * 1.6 + row * (tall + gap)];
+      return { left: x, right: x + wide, top: y, bottom: y + tall };
+    });
+    return {
+      width: left + columns * (wide + gap) - gap + edge, height: boxes[boxes.length - 1].bottom + gap + theme.size, top,
+      boxes, plots: boxes.map((box) => ({ ...box, top: box.top + words })), grid: { rows, columns, isTurned },
+    };
+  };
+  const straight = lay(false);
+  return straight.width <= room || counts[1] <= counts[0] ? straight : lay(true);
 }
 
 /**
@@ -88,7 +100,7 @@ export function layGrid(room, { rows, columns }, theme, heads) {
  * @param {Layout} layout
  * @param {Theme} theme
  */
-export function drawPlanesBeside(context, { width }, { x, y, ranges, planes, point, heads, ends }, { top, boxes, plots, columns }, theme) {
+export function drawPlanesBeside(context, { width }, { x, y, ranges, planes, point, heads, ends }, { top, boxes, plots, grid }, theme) {
   context.fillStyle = theme.ink2;
   const room = width - 3.2 * theme.size;
   const words = ranges.find((text) => widthOfLabel(context, [{ text }], theme) <= room) ?? ranges[ranges.length - 1];
@@ -102,16 +114,21 @@ export function drawPlanesBeside(context, { width }, { x, y, ranges, planes, poi
     drawLabel(context, [{ text: plane.share }], isTwoLines ? box.left : box.right, box.top + theme.size * (isTwoLines ? 2.5 : 1.15), theme, { align: isTwoLines ? 'left' : 'right' });
     drawPlane(context, plot, plane, { x, y, point }, theme);
   });
-  if (heads && columns) drawHeads(context, heads, boxes, plots, columns, theme);
+  if (heads && grid) drawHeads(context, heads, boxes, plots, grid, theme);
   writeEnds(context, ends, plots, theme);
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Heads} heads @param {Box[]} boxes @param {Box[]} plots @param {number} columns @param {Theme} theme */
-function drawHeads(context, heads, boxes, plots, columns, theme) {
+/** @param {CanvasRenderingContext2D} context @param {Heads} heads @param {Box[]} boxes @param {Box[]} plots @param {Grid} grid @param {Theme} theme */
+function drawHeads(context, heads, boxes, plots, { rows, columns, isTurned }, theme) {
+  // From plane to plane along the top, and down the left.
+  const [across, down] = isTurned ? [rows, 1] : [1, columns];
   context.fillStyle = theme.ink;
-  heads.top.forEach((head, i) => drawLabel(context, head, (boxes[i].left + boxes[i].right) / 2, boxes[i].top - theme.size * 0.15, theme, { align: 'center', weight: 600 }));
-  heads.left.forEach((head, i) => {
-    const { left, top, bottom } = plots[i * columns];
+  heads[isTurned ? 0 : 1].forEach((head, i) => {
+    const { left, right, top } = boxes[i * across];
+    drawLabel(context, head, (left + right) / 2, top - theme.size * 0.15, theme, { align: 'center', weight: 600 });
+  });
+  heads[isTurned ? 1 : 0].forEach((head, i) => {
+    const { left, top, bottom } = plots[i * down];
     drawLabel(context, head, left - theme.size * 0.5, (top + bottom) / 2 + theme.size * 0.35, theme, { align: 'right', weight: 600 });
   });
 }

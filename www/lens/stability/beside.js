@@ -128,16 +128,16 @@ export class BesidePlanes extends Panel {
     const { theme, width } = this;
     if (!theme || !this.#ruler || !(width > 0)) return null;
     const ruler = this.#ruler;
-    const [rows, columns] = beside.lists.map(({ values }) => values.length);
+    const [count, others] = beside.lists.map(({ values }) => values.length);
     const ends = widthOfEnds(ruler, this.#endsOf(beside.y, voice), theme);
-    if (columns) {
-      const { left, top } = this.#heads(beside, voice);
-      return layGrid(width, { rows, columns }, theme, { left: Math.max(4 * theme.size, ends, widthOfHeads(ruler, left, theme)), top: widthOfHeads(ruler, top, theme) });
+    if (others) {
+      const [first, second] = this.#heads(beside, voice).map((heads) => widthOfHeads(ruler, heads, theme));
+      return layGrid(width, [count, others], theme, { heads: [first, second], ends });
     }
-    const low = layBeside(width, rows, theme, { isTall: false, ends });
+    const low = layBeside(width, count, theme, { isTall: false, ends });
     const room = low.boxes[0].right - low.boxes[0].left;
     const isTall = this.items.some((item) => widthOfWords(ruler, { label: this.#labelOf(item, voice), share: this.#shareInWords(item, voice) }, theme) > room);
-    return isTall ? layBeside(width, rows, theme, { isTall, ends }) : low;
+    return isTall ? layBeside(width, count, theme, { isTall, ends }) : low;
   }
 
   /** @type {import('../../view/canvas.js').Paint} */
@@ -149,11 +149,11 @@ export class BesidePlanes extends Panel {
     const { x, y } = beside;
     drawPlanesBeside(context, size, {
       x, y, ranges: [voice.say('beside.ranges', this.#rangesOf(beside, voice)), this.#ranges(beside, voice)],
-      heads: layout.columns ? this.#heads(beside, voice) : null, ends: { x: this.#endsOf(x, voice), y: this.#endsOf(y, voice) },
+      heads: layout.grid ? this.#heads(beside, voice) : null, ends: { x: this.#endsOf(x, voice), y: this.#endsOf(y, voice) },
       point: { x: scene.parameters[x.parameter], y: scene.parameters[y.parameter] },
       planes: items.map((item, i) => ({
         ...(item.map && layout.plots[i] ? this.#pictures.of(item.map, layout.plots[i], theme) : { image: null, hatch: null }),
-        boundary: item.boundary, label: layout.columns ? [] : this.#labelOf(item, voice), share: this.#shareInWords(item, voice), isOld: item.isOld, isNow: this.#isNow(item),
+        boundary: item.boundary, label: layout.grid ? [] : this.#labelOf(item, voice), share: this.#shareInWords(item, voice), isOld: item.isOld, isNow: this.#isNow(item),
       })),
     }, layout, theme);
   };
@@ -181,8 +181,7 @@ export class BesidePlanes extends Panel {
 
   /** What the rows and the columns of a grid are of. @param {Beside} beside @param {Voice} voice */
   #heads({ lists }, voice) {
-    const [left, top] = lists.map(({ parameter, values }) => values.map((value) => this.#labelOf({ values: { [parameter]: value } }, voice)));
-    return { left, top };
+    return lists.map(({ parameter, values }) => values.map((value) => this.#labelOf({ values: { [parameter]: value } }, voice)));
   }
 
   /** @param {import('../../run/linear-looks.js').Range} range @param {Voice} voice */
