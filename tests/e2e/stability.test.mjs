@@ -241,11 +241,11 @@ test('loci are swept as chosen, and figure 5.5 is a press away', async () => {
   await page.getByLabel('Swept').selectOption('casterLength');
   await page.waitForFunction(() => location.hash.includes('view.locus=casterLength:0:0.5') && location.hash.includes('view.stability=locus'));
   assert.match(await label() ?? '', /as caster goes from 0\.000 m to 0\.500 m\./);
-  await page.getByLabel('To', { exact: true }).fill('0.3');
-  await page.getByLabel('To', { exact: true }).press('Enter');
+  await page.getByLabel('Caster, to').fill('0.3');
+  await page.getByLabel('Caster, to').press('Enter');
   await page.waitForFunction(() => location.hash.includes('view.locus=casterLength:0:0.3'));
-  await page.getByLabel('To', { exact: true }).fill('-1');
-  await page.getByLabel('To', { exact: true }).press('Enter');
+  await page.getByLabel('Caster, to').fill('-1');
+  await page.getByLabel('Caster, to').press('Enter');
   assert.match(await page.locator('#locus-why').innerText(), /less than the last/);
   await page.getByRole('button', { name: 'Figure 5.5' }).click();
   await page.waitForFunction(() => location.hash.includes('view.locus=velocity:0.5:100,casterLength:0:0.5:6'));
@@ -290,6 +290,25 @@ test('nothing stands in the way of assistive technology', async () => {
     assert.deepEqual(found, []);
     await leave();
   }
+});
+
+test('a plane has the ranges that one types, refuses what is none, and gives its share of them', async () => {
+  const { page, leave } = await opened();
+  await untilSaid(page, /grows/);
+  await page.getByRole('button', { name: 'More choices' }).click();
+  const until = page.getByLabel('Speed, to');
+  await until.fill('50');
+  await until.press('Enter');
+  await page.waitForFunction(() => location.hash.includes('view.plane=velocity:0.5:50,dampingConstant:0:100,growthRate'));
+  await page.waitForFunction(() => /83\.4\s% of the plane is stable: v\s0\.5\s…\s50\sm\/s/.test(document.querySelector('.share')?.textContent ?? ''));
+  await until.fill('0.2');
+  await until.press('Enter');
+  assert.match(await page.locator('#plane-x-why').innerText(), /less than the last/);
+  assert.ok(await page.evaluate(() => location.hash.includes('velocity:0.5:50')));
+  await page.getByLabel('Damping, from').fill('-3');
+  await page.getByLabel('Damping, from').press('Enter');
+  assert.match(await page.locator('#plane-y-why').innerText(), /Damping/);
+  await leave();
 });
 
 test('an end of a sweep that the gear cannot have is explained, and the last good one stays', async () => {

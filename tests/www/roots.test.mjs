@@ -183,7 +183,7 @@ test('the way of a walk has an end, another object has none behind it, and value
   walk.follow(gear({ velocity: 20 }), 0);
   for (let i = 1; i <= 1000; i++) walk.follow(gear({ velocity: 20 + i / 100 }), 10 + i / 1000);
   assert.ok(walk.trail.length > 100 && walk.trail.length < 500, `${walk.trail.length}`);
-  assert.equal(walk.trail.at(-1), walk.roots);
+  assert.deepEqual(walk.trail.at(-1), walk.roots);
   walk.follow({ ...gear({ velocity: 31 }), object: 'torsional-linear' }, 11.1);
   assert.deepEqual([walk.trail, walk.crossing], [[walk.roots], null]);
   walk.follow(gear({ velocity: 20, dampingConstant: 20 }), 20);

@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import { tell } from '../../command.js';
+import { symbolOf } from '../../controls/symbol.js';
 import { parameterOption } from './option.js';
 import { colorings, rangeOf, readyPlanes, writePlane } from './settings.js';
 import { lowerName, plainSymbol } from './say.js';
@@ -17,9 +18,10 @@ import { lowerName, plainSymbol } from './say.js';
  * @param {Plane} plane
  * @param {readonly Quantity[]} quantities
  * @param {Voice} voice
- * @param {{ isOpen: boolean, toggle: () => void }} fold where there is little room all but the ready ones is folded away
+ * @param {{ isOpen: boolean, toggle: () => void }} fold the ranges are folded away, and where there is little room all but the ready ones
+ * @param {Readonly<Record<'x' | 'y', import('./range-fields.js').RangeFields>>} ends
  */
-export function planeChoices(host, plane, quantities, voice, { isOpen, toggle }) {
+export function planeChoices(host, plane, quantities, voice, { isOpen, toggle }, ends) {
   const choose = (/** @type {Partial<Plane>} */ change) => tell(host, 'view', { of: 'plane', shows: writePlane({ ...plane, ...change }) });
   const byName = (/** @type {string} */ name) => quantities.find((one) => one.name === name);
   const ranged = (/** @type {Quantity} */ quantity) => rangeOf(quantity.parameter);
@@ -54,5 +56,8 @@ export function planeChoices(host, plane, quantities, voice, { isOpen, toggle })
         @change=${(/** @type {Event} */ event) => choose({ coloring: /** @type {Plane['coloring']} */ (/** @type {HTMLSelectElement} */ (event.target).value) })}>
         ${colorings.map((coloring) => html`<option value=${coloring} ?selected=${coloring === plane.coloring}>${voice.say(`stability.color.${coloring}`)}</option>`)}
       </select>
+      ${isOpen ? /** @type {const} */ (['y', 'x']).map((which) => html`
+        <span class="ends">${symbolOf(byName(plane[which].parameter)?.parameter.symbol ?? '')} ${ends[which].fields(plane[which], (range) => choose({ [which]: range }), voice)}</span>`) : ''}
+      ${isOpen ? /** @type {const} */ (['y', 'x']).map((which) => ends[which].why(plane[which])) : ''}
     </div>`;
 }

@@ -4,6 +4,7 @@ import { isSameList } from '../../store.js';
 import { drawRootLocus } from '../../view/root-locus.js';
 import { locusChoices } from './locus-choices.js';
 import { Loci } from './loci.js';
+import { RangeFields } from './range-fields.js';
 import { lowerName, plainSymbol, shortNumber } from './say.js';
 import { locusOf } from './settings.js';
 
@@ -17,11 +18,12 @@ export class LocusView {
   #lens;
   #loci = new Loci();
   /** What was drawn last, so that nothing is drawn twice. @type {unknown[]} */ #drawn = [];
-  /** What was typed and not taken, as long as the locus is the one it was typed for. @type {import('./locus-choices.js').Refused & { settings: string | undefined } | null} */ #refused = null;
+  #ends;
 
   /** @param {import('../stability.js').StabilityLens} lens */
   constructor(lens) {
     this.#lens = lens;
+    this.#ends = new RangeFields(lens, 'locus');
   }
 
   get #locus() {
@@ -32,9 +34,7 @@ export class LocusView {
   /** @type {View['template']} */
   template(voice) {
     return html`
-      ${locusChoices(this.#lens, this.#locus, this.#lens.quantities, voice, {
-        refused: this.#refused?.settings === this.#lens.settings.locus ? this.#refused : null, refuse: this.#refuse, check: this.#check,
-      })}
+      ${locusChoices(this.#lens, this.#locus, this.#lens.quantities, voice, this.#ends)}
       <shimmy-canvas .label=${this.#label(voice)} .paint=${this.#paint}></shimmy-canvas>`;
   }
 
@@ -48,22 +48,6 @@ export class LocusView {
   stale() {
     this.#drawn = [];
   }
-
-  /** @param {import('./locus-choices.js').Refused | null} refused */
-  #refuse = (refused) => {
-    this.#refused = refused && { ...refused, settings: this.#lens.settings.locus };
-    this.#lens.requestUpdate();
-  };
-
-  /** @type {import('./locus-choices.js').Check} */
-  #check = (parameter, value) => {
-    try {
-      this.#lens.scene?.linear.eigenvalues({ [parameter]: value });
-      return null;
-    } catch (error) {
-      return /** @type {import('../../controls/refusal.js').Refusal} */ (error);
-    }
-  };
 
   /** @type {View['draw']} */
   draw(scene) {

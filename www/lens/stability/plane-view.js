@@ -3,6 +3,7 @@ import { gapParameter } from '../../view/stability-map.js';
 import { planeChoices } from './choices.js';
 import './plane.js';
 import { PlaneMap } from './plane-map.js';
+import { RangeFields } from './range-fields.js';
 import { RootsAndSwing } from './roots-and-swing.js';
 import { lowerName, rangeInWords } from './say.js';
 import { planeOf } from './settings.js';
@@ -17,6 +18,7 @@ import { planeOf } from './settings.js';
 export class PlaneView {
   #lens;
   #roots;
+  #ends;
   #map = new PlaneMap();
   /** How much of the plane is stable, in per cent. @type {number | null} */ #share = null;
   /** Whether its choices are unfolded. */ #isOpen = false;
@@ -27,6 +29,7 @@ export class PlaneView {
   constructor(lens) {
     this.#lens = lens;
     this.#roots = new RootsAndSwing(lens);
+    this.#ends = { x: new RangeFields(lens, 'plane-x'), y: new RangeFields(lens, 'plane-y') };
   }
 
   /** As the settings have it, the same as long as they are. */
@@ -42,7 +45,7 @@ export class PlaneView {
   template(voice) {
     const { quantities, isVeiled } = this.#lens;
     return html`
-      ${planeChoices(this.#lens, this.#plane, quantities, voice, { isOpen: this.#isOpen, toggle: this.#toggle })}
+      ${planeChoices(this.#lens, this.#plane, quantities, voice, { isOpen: this.#isOpen, toggle: this.#toggle }, this.#ends)}
       <shimmy-plane .voice=${voice} .quantities=${quantities} .plane=${this.#plane} .isVeiled=${isVeiled} .label=${this.#label(voice)}></shimmy-plane>
       ${this.#roots.template(voice)}`;
   }

@@ -49,6 +49,11 @@ export const stability = {
   'stability.color.stable': 'Stable or not',
   'stability.color.frequency': 'Frequency',
 
+  'range.end': '{name}, {end}',
+  'range.from': 'from',
+  'range.to': 'to',
+  'range.refused.order': 'The first must be less than the last.',
+
   'roots.title': 'Roots',
   'roots.re': 'growth',
   'roots.name': 'Roots of the linear gear in the complex plane, the upper half. {reading}.',
@@ -74,11 +79,8 @@ export const stability = {
   'locus.name': 'Root locus: roots of the linear gear as {sweep} goes from {from} to {to}.',
   'locus.name.family': 'Root loci: roots of the linear gear as {sweep} goes from {from} to {to}, for {count} values of {other}.',
   'locus.sweep': 'Swept',
-  'locus.from': 'From',
-  'locus.to': 'To',
   'locus.family': 'For some',
   'locus.single': 'one locus',
-  'locus.refused.order': 'The first must be less than the last.',
   'locus.thesis': 'Figure 5.5',
   'locus.thesis.does': 'Figure 5.5 of the thesis: caster and speed vary',
   'locus.line': 'Each line is the way of a root as {sweep} rises; the crosses are the gear as it is.',

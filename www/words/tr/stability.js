@@ -49,6 +49,11 @@ export const stability = {
   'stability.color.stable': 'Kararlı mı',
   'stability.color.frequency': 'Frekans',
 
+  'range.end': '{name}, {end}',
+  'range.from': 'başı',
+  'range.to': 'sonu',
+  'range.refused.order': 'İlki sonuncusundan küçük olmalı.',
+
   'roots.title': 'Kökler',
   'roots.re': 'büyüme',
   'roots.name': 'Doğrusal takımın karmaşık düzlemdeki kökleri, üst yarı. {reading}.',
@@ -74,11 +79,8 @@ export const stability = {
   'locus.name': 'Kök yer eğrisi: {sweep} {from} değerinden {to} değerine giderken doğrusal takımın kökleri.',
   'locus.name.family': 'Kök yer eğrileri: {sweep} {from} değerinden {to} değerine giderken, {other} için {count} değerde, doğrusal takımın kökleri.',
   'locus.sweep': 'Taranan',
-  'locus.from': 'Başı',
-  'locus.to': 'Sonu',
   'locus.family': 'Birkaç değer',
   'locus.single': 'tek eğri',
-  'locus.refused.order': 'İlki sonuncusundan küçük olmalı.',
   'locus.thesis': 'Şekil 5.5',
   'locus.thesis.does': 'Tezin 5.5 numaralı şekli: kaster ve hız değişiyor',
   'locus.line': 'Her çizgi, {sweep} artarken bir kökün yoludur; çarpılar takımın şu anki yeridir.',
