@@ -75,6 +75,27 @@ fn a_wheel_that_stops_at_an_angle_rests() {
 }
 
 #[test]
+fn a_wheel_that_stands_at_an_angle_rests_however_little_it_still_moves() {
+    // What is left of the motion is no faster at the start of the look than rounding leaves it at the end.
+    let run = || {
+        linear::gear(&[("velocity", 80.0), ("dampingConstant", 100.0), ("casterLength", -0.3), ("freeplayAngle", 0.3)])
+            .starting("torsionAngle", 0.05)
+            .unwrap()
+    };
+    let stands = run().outlook().unwrap().amplitude;
+    // The tire's lateral deformation stays where v sin ψ = v y/σ, in the small-angle kinematics: y = σψ.
+    assert!((stands[2] / (0.3 * stands[0]) - 1.0).abs() < 1e-6, "{stands:?}");
+    for time in (1..60).map(|count| 0.03 * f64::from(count)) {
+        let come = run().lasting(time).unwrap().simulate().unwrap();
+        let now = come.states.iter().map(|column| *column.last().unwrap()).collect::<Vec<_>>();
+        let from = ["torsionAngle", "torsionRate", "lateralDeformation"].iter().zip(&now);
+        let outlook = from.fold(run(), |run, (name, value)| run.starting(name, *value).unwrap()).outlook().unwrap();
+        assert_eq!(outlook.verdict, Verdict::Rests, "after {time} s");
+        assert!((outlook.amplitude[0] - stands[0]).abs() < 1e-6, "after {time} s: {}", outlook.amplitude[0]);
+    }
+}
+
+#[test]
 fn a_rattle_is_told_from_a_shimmy_by_taking_the_gap_away() {
     let gap = ("freeplayAngle", 1_f64.to_radians());
     let rattle = gear(&[("velocity", 50.0), ("dampingConstant", 100.0), gap], 0.05);

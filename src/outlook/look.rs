@@ -16,7 +16,8 @@ const REPEATING: f64 = 2e-8;
 const REPEATS: usize = 5;
 /// A motion has died out when it has fallen to this fraction of its start.
 const GONE: f64 = 1e-5;
-/// A motion has stopped when its rate has fallen to this fraction of the largest.
+/// A motion has stopped when its rate has fallen to this fraction of the largest, or of what would take it through its own
+/// size within the horizon: one that starts beside where it comes to rest is never fast.
 const STILL: f64 = 1e-6;
 
 /// What was seen.
@@ -60,7 +61,7 @@ pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
             Some(End::Dies)
         } else if size > 1e6 * start.max(1.0) {
             Some(End::Grows)
-        } else if speed < STILL * fastest {
+        } else if speed < STILL * fastest.max(size / horizon) {
             Some(End::Stops)
         } else {
             repeats(&cycles).then_some(End::Repeats)
