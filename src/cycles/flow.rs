@@ -1,6 +1,9 @@
 //! Where a motion gets to in a given time, and its neighbours with it: all that shooting asks of a gear.
 
-use super::square::{GAUSS, Square, propagator};
+use super::{
+    shooting::norm,
+    square::{GAUSS, Square, propagator},
+};
 use crate::{
     error::Result,
     integrate::{Failure, Integrator, Method, Scheme, Tolerance, failed},
@@ -10,7 +13,7 @@ use crate::{
 };
 
 /// Relative tolerance of the motions, or the run's own where that is finer.
-const RTOL: f64 = 1e-10;
+pub(super) const RTOL: f64 = 1e-10;
 /// A period has at least so many steps: the motion's neighbours need them.
 const STEPS: f64 = 48.0;
 /// What takes more steps than this has no period.
@@ -27,19 +30,30 @@ pub(super) trait Flow {
     /// not get so far.
     fn carry(&mut self, x: &[f64], duration: f64, neighbours: bool) -> Option<(Vec<f64>, Square)>;
 
-    /// One period from `x`, in the states' own units.
+    /// From now on no step is longer than what a period needs.
+    fn pace(&mut self, period: f64);
+
+    /// How far a cycle swings in one period from `x`.
     ///
     /// # Errors
     /// A motion that leaves the numbers.
-    fn round(&mut self, x: &[f64], period: f64) -> Result<Round>;
+    fn swing(&mut self, x: &[f64], period: f64) -> Result<Swing>;
+
+    /// One period of the cycle through the state `from`, in the states' own units.
+    ///
+    /// # Errors
+    /// A motion that leaves the numbers.
+    fn orbit(&mut self, from: &[f64], period: f64) -> Result<Columns>;
 }
 
-/// A period of a cycle.
-pub(super) struct Round {
+/// How far a cycle swings; states in their own units.
+pub(super) struct Swing {
     /// Largest |·| of every state.
     pub amplitude: Vec<f64>,
-    /// From where the first state rises through zero, if it does.
-    pub orbit: Columns,
+    /// Half of the way from its least value to its greatest, of all states together, each in units of its typical size.
+    pub size: f64,
+    /// Where the first state rises through zero, if it does: else the state that was given.
+    pub rise: Vec<f64>,
 }
 
 /// A system's motions, with steps that fit a period.
@@ -59,7 +73,15 @@ impl<S: Gear<N>, const N: usize> Carrier<S, N> {
 }
 
 impl<S: System<N>, const N: usize> Carrier<S, N> {
-    fn new(system: S, method: Method, relative: f64, scale: [f64; N], period: f64, most_steps: u64) -> Result<Self> {
+    /// A system by a method, to a relative tolerance, with its typical sizes and steps that fit a period.
+    pub fn new(
+        system: S,
+        method: Method,
+        relative: f64,
+        scale: [f64; N],
+        period: f64,
+        most_steps: u64,
+    ) -> Result<Self> {
         let tolerance = Tolerance { relative, absolute: scale.map(|scale: f64| relative / 100.0 * scale) };
         let method = match method {
             Method::Always(Scheme::RungeKutta4) => Method::Auto,
@@ -68,6 +90,16 @@ impl<S: System<N>, const N: usize> Carrier<S, N> {
         let motion = Integrator::new(system, method, tolerance, 1.0, period / STEPS, [0.0; N])
             .map_err(|failure| failed(failure, 0.0))?;
         Ok(Self { motion, scale, most_steps })
+    }
+
+    /// Goes over to another system; says whether its equations are in finite numbers.
+    pub fn replace(&mut self, system: S) -> bool {
+        self.motion.replace(system.into(), 0.0, [0.0; N]).is_ok()
+    }
+
+    /// The system that moves.
+    pub fn system(&self) -> &S {
+        self.motion.system()
     }
 
     fn start(&mut self, x: &[f64]) -> std::result::Result<(), Failure> {
@@ -114,23 +146,38 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
         (end.iter().all(|x| x.is_finite()) && matrix.is_finite()).then(|| (self.scaled(&end), matrix))
     }
 
-    fn round(&mut self, x: &[f64], period: f64) -> Result<Round> {
+    fn pace(&mut self, period: f64) {
+        self.motion.no_step_longer(period / STEPS);
+    }
+
+    fn swing(&mut self, x: &[f64], period: f64) -> Result<Swing> {
         let failed = |failure: Failure| failed(failure, 0.0);
         self.start(x).map_err(failed)?;
-        let mut amplitude = *self.motion.state();
-        let mut rise = amplitude;
+        let (mut low, mut high) = (*self.motion.state(), *self.motion.state());
+        let mut rise = low;
         while self.motion.time() < period {
             self.motion.step(period).map_err(failed)?;
             for i in 0..N {
-                let turn = self.motion.turning_point(i).map_or(0.0, |(_, value)| value);
-                amplitude[i] = amplitude[i].abs().max(turn.abs()).max(self.motion.state()[i].abs());
+                let end = self.motion.state()[i];
+                let turn = self.motion.turning_point(i).map_or(end, |(_, value)| value);
+                (low[i], high[i]) = (low[i].min(turn).min(end), high[i].max(turn).max(end));
             }
             if let Some(t) = self.motion.rise_through_zero(0) {
                 rise = self.motion.interpolate(t);
             }
         }
+        let of = |value: &dyn Fn(usize) -> f64| (0..N).map(value).collect::<Vec<f64>>();
+        Ok(Swing {
+            amplitude: of(&|i| high[i].max(-low[i])),
+            size: norm(&of(&|i| 0.5 * (high[i] - low[i]) / self.scale[i])),
+            rise: rise.to_vec(),
+        })
+    }
+
+    fn orbit(&mut self, from: &[f64], period: f64) -> Result<Columns> {
+        let failed = |failure: Failure| failed(failure, 0.0);
         let mut orbit = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
-        self.motion.restart(0.0, rise).map_err(failed)?;
+        self.motion.restart(0.0, std::array::from_fn(|i| from[i])).map_err(failed)?;
         for point in 0..=ORBIT {
             let t = period * point as f64 / ORBIT as f64;
             while self.motion.time() < t {
@@ -141,7 +188,7 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
                 column.push(value);
             }
         }
-        Ok(Round { amplitude: amplitude.to_vec(), orbit })
+        Ok(orbit)
     }
 }
 

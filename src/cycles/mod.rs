@@ -8,6 +8,7 @@
 //!
 //! *Describing functions* ([`Predicted`]) ask the first harmonic alone: all cycles at once, within some per cent.
 
+mod continuation;
 mod describing;
 mod flow;
 mod shooting;
@@ -17,11 +18,15 @@ mod start;
 use nalgebra::Complex;
 
 pub use self::{
+    continuation::{
+        Bifurcation, BifurcationSpec, BranchEnd, Criticality, CycleBranch, CyclePoint, PointKind, RestBranch,
+        SpecialPoint, Told,
+    },
     describing::{Amplitudes, Predicted},
     start::Guess,
 };
 use self::{
-    flow::{Carrier, Flow, Round},
+    flow::{Carrier, Flow, Swing},
     shooting::Periodic,
     start::starts,
 };
@@ -105,6 +110,7 @@ fn settled(flow: &mut dyn Flow, x: &[f64], between: f64) -> Result<Option<Period
 
 fn told(flow: &mut dyn Flow, found: Periodic) -> Result<Option<LimitCycle>> {
     let Periodic { x, period, multipliers, stable, symmetric } = found;
-    let Round { amplitude, orbit } = flow.round(&x, period)?;
+    let Swing { amplitude, rise, .. } = flow.swing(&x, period)?;
+    let orbit = flow.orbit(&rise, period)?;
     Ok(Some(LimitCycle { period, frequency: 1.0 / period, amplitude, multipliers, stable, symmetric, orbit }))
 }

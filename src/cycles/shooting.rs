@@ -93,7 +93,7 @@ pub(super) fn norm(x: &[f64]) -> f64 {
 }
 
 #[inline(never)]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
 }
 
@@ -264,8 +264,8 @@ mod tests {
                 assert_eq!(found.symmetric, energy > 0.0);
                 assert!(found.stable);
                 assert!((found.period / period - 1.0).abs() < 1e-8, "{} {period}", found.period);
-                let round = flow.round(&found.x, found.period).unwrap();
-                assert!((round.amplitude[0] / amplitude - 1.0).abs() < 1e-9);
+                let swing = flow.swing(&found.x, found.period).unwrap();
+                assert!((swing.amplitude[0] / amplitude - 1.0).abs() < 1e-9);
                 // The divergence along the orbit is −μv².
                 let expected = (-0.4 * action).exp();
                 assert!((found.multipliers[1] - expected).norm() < 1e-7, "{:?} {expected}", found.multipliers);

@@ -1,9 +1,9 @@
-//! Limit cycles: found, and predicted.
+//! Limit cycles: found, predicted, and followed along a parameter.
 
 use wasm_bindgen::prelude::*;
 
 use super::{input, of_run, output, record::list};
-use crate::cycles::Guess;
+use crate::cycles::{BifurcationSpec, Guess};
 
 /// The limit cycle near the guess, or the one that the run's motion settles on; from rest, one that a larger and larger
 /// push leads to.
@@ -22,4 +22,13 @@ pub fn limit_cycle(
 #[wasm_bindgen(js_name = describingFunction, unchecked_return_type = "PredictedCycle[]")]
 pub fn describing_function(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
     of_run(&run, &|run| Ok(list(&run.describing_function()?, output::predicted)))
+}
+
+/// Rest and limit cycles over the range of a parameter, stable or not, with the points at which they change.
+#[wasm_bindgen(unchecked_return_type = "Bifurcation")]
+pub fn bifurcation(
+    #[wasm_bindgen(unchecked_param_type = "BifurcationSpec")] spec: JsValue,
+) -> Result<JsValue, JsValue> {
+    let made = input::value(&spec, "bifurcation").and_then(|value| BifurcationSpec::read(&value)?.made());
+    made.map(|made| output::bifurcation(&made)).map_err(output::error)
 }

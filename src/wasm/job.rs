@@ -7,31 +7,89 @@ use wasm_bindgen::prelude::*;
 
 use super::{call_into, input, output, record::Record};
 use crate::{
+    cycles::{Bifurcation, BifurcationSpec},
     error::{Code, Error, Result, shown},
+    run::Value,
     stability::{MapSpec, StabilityMap},
 };
 
-/// Kinds of jobs.
-const KINDS: [&str; 1] = ["stabilityMap"];
+/// A kind of jobs.
+struct Kind {
+    name: &'static str,
+    /// What errors call what it is given.
+    spec: &'static str,
+    begin: fn(&Value) -> Result<Box<dyn Work>>,
+}
+
+const KINDS: [Kind; 2] = [
+    Kind { name: "stabilityMap", spec: "map", begin: |spec| Ok(Box::new(MapSpec::read(spec)?.begin())) },
+    Kind {
+        name: "bifurcation",
+        spec: "bifurcation",
+        begin: |spec| Ok(Box::new(BifurcationSpec::read(spec)?.begin()?)),
+    },
+];
 
 /// Work that is done bit by bit.
 #[wasm_bindgen]
-pub struct Job(RefCell<StabilityMap>);
+pub struct Job(RefCell<Box<dyn Work>>);
+
+/// What a job does.
+trait Work {
+    /// Does the least that makes sense.
+    fn advance(&mut self) -> Result<()>;
+    /// Nothing is left to do.
+    fn done(&self) -> bool;
+    /// The part that is done, 0 … 1.
+    fn fraction(&self) -> f64;
+    /// What is there so far.
+    fn result(&self) -> Result<JsValue>;
+}
+
+impl Work for StabilityMap {
+    fn advance(&mut self) -> Result<()> {
+        self.advance()
+    }
+    fn done(&self) -> bool {
+        self.done()
+    }
+    fn fraction(&self) -> f64 {
+        self.fraction()
+    }
+    fn result(&self) -> Result<JsValue> {
+        output::stability_map(self)
+    }
+}
+
+impl Work for Bifurcation {
+    fn advance(&mut self) -> Result<()> {
+        self.advance()
+    }
+    fn done(&self) -> bool {
+        self.done()
+    }
+    fn fraction(&self) -> f64 {
+        self.fraction()
+    }
+    fn result(&self) -> Result<JsValue> {
+        Ok(output::bifurcation(self))
+    }
+}
 
 #[wasm_bindgen]
 impl Job {
     /// The work of the function of this name, with what that is given.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "'stabilityMap'")] kind: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "MapSpec")] spec: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "JobKind")] kind: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "MapSpec | BifurcationSpec")] spec: JsValue,
     ) -> std::result::Result<Job, JsValue> {
         let begin = || {
             let kind = input::text(&kind, "kind")?;
-            if !KINDS.contains(&kind.as_str()) {
-                return Err(Error::unknown(Code::UnknownName, "kind", &kind, &KINDS));
-            }
-            Ok(Self(RefCell::new(MapSpec::read(&input::value(&spec, "map")?)?.begin())))
+            let Some(known) = KINDS.iter().find(|known| known.name == kind) else {
+                return Err(Error::unknown(Code::UnknownName, "kind", &kind, &KINDS.map(|known| known.name)));
+            };
+            Ok(Self(RefCell::new((known.begin)(&input::value(&spec, known.spec)?)?)))
         };
         begin().map_err(output::error)
     }
@@ -42,7 +100,7 @@ impl Job {
         &self,
         #[wasm_bindgen(unchecked_param_type = "number")] milliseconds: JsValue,
     ) -> std::result::Result<JsValue, JsValue> {
-        self.with(|map| {
+        self.with(|work| {
             let allowed = "≥ 0 ms";
             let time = input::number(&milliseconds, "milliseconds", allowed)?;
             if time.is_nan() || time < 0.0 {
@@ -50,24 +108,24 @@ impl Job {
             }
             let end = Date::now() + time;
             loop {
-                map.advance()?;
-                if map.done() || Date::now() >= end {
+                work.advance()?;
+                if work.done() || Date::now() >= end {
                     break;
                 }
             }
-            Ok(Record::new().truth("done", map.done()).number("fraction", map.fraction()).done())
+            Ok(Record::new().truth("done", work.done()).number("fraction", work.fraction()).done())
         })
     }
 
     /// What is there so far: what the function of the job's name gives, its arrays no longer than that.
-    #[wasm_bindgen(unchecked_return_type = "UnfinishedMap")]
+    #[wasm_bindgen(unchecked_return_type = "JobResult")]
     pub fn result(&self) -> std::result::Result<JsValue, JsValue> {
-        self.with(|map| output::stability_map(map))
+        self.with(|work| work.result())
     }
 }
 
 impl Job {
-    fn with(&self, call: impl FnOnce(&mut StabilityMap) -> Result<JsValue>) -> std::result::Result<JsValue, JsValue> {
-        call_into(&self.0, "job", call)
+    fn with(&self, call: impl FnOnce(&mut dyn Work) -> Result<JsValue>) -> std::result::Result<JsValue, JsValue> {
+        call_into(&self.0, "job", |work| call(&mut **work))
     }
 }

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 use super::record::{Record, list, numbers};
 use crate::{
     Error, Run,
-    cycles::{LimitCycle, Predicted},
+    cycles::{Bifurcation, CycleBranch, CyclePoint, LimitCycle, Predicted, SpecialPoint},
     energy::Energy,
     integrate::{Stats, Trajectory},
     live::{Columns, Envelope},
@@ -270,6 +270,71 @@ pub(super) fn predicted(cycle: &Predicted) -> JsValue {
         .record("amplitude", amplitude)
         .number("frequency", cycle.frequency)
         .truth("stable", cycle.stable)
+        .done()
+}
+
+/// What there is of a diagram.
+pub(super) fn bifurcation(diagram: &Bifurcation) -> JsValue {
+    let (parameter, states) = (diagram.parameter(), diagram.spec().run.description().state);
+    let rest = diagram.rest();
+    let columns =
+        states.iter().zip(&rest.states).fold(Record::new(), |record, (s, column)| record.series(s.name, column));
+    let equilibria = Record::new()
+        .series(parameter, &rest.value)
+        .record("state", columns)
+        .series("growthRate", &rest.growth_rate)
+        .series("frequency", &rest.frequency)
+        .bytes("unstable", &rest.unstable)
+        .bytes("stable", &rest.stable);
+    Record::new()
+        .text("parameter", parameter)
+        .record("equilibria", equilibria)
+        .value("cycles", list(&diagram.cycles(), |branch| cycle_branch(parameter, states, branch)))
+        .value("points", list(diagram.points(), |point| special_point(parameter, point)))
+        .done()
+}
+
+fn cycle_branch(parameter: &str, states: &[StateVariable], branch: &CycleBranch) -> JsValue {
+    let column = |of: &dyn Fn(&CyclePoint) -> f64| branch.points.iter().map(of).collect::<Vec<f64>>();
+    let flags = |of: &dyn Fn(&CyclePoint) -> u8| branch.points.iter().map(of).collect::<Vec<u8>>();
+    let by_state = |of: &dyn Fn(&CyclePoint) -> &[f64]| {
+        states
+            .iter()
+            .enumerate()
+            .fold(Record::new(), |record, (i, state)| record.series(state.name, &column(&|point| of(point)[i])))
+    };
+    let multipliers: Vec<f64> = branch
+        .points
+        .iter()
+        .flat_map(|point| point.multipliers.iter().flat_map(|value| [value.re, value.im]))
+        .collect();
+    Record::new()
+        .series(parameter, &column(&|point| point.value))
+        .series("amplitude", &column(&|point| point.amplitude[0]))
+        .series("period", &column(&|point| point.period))
+        .series("frequency", &column(&|point| 1.0 / point.period))
+        .record("amplitudes", by_state(&|point| &point.amplitude))
+        .record("state", by_state(&|point| &point.state))
+        .series("multipliers", &multipliers)
+        .bytes("unstable", &flags(&|point| point.unstable as u8))
+        .bytes("stable", &flags(&|point| u8::from(point.unstable == 0)))
+        .bytes("symmetric", &flags(&|point| u8::from(point.symmetric)))
+        .names("ends", &branch.ends.map(|end| end.name()))
+        .done()
+}
+
+fn special_point(parameter: &str, point: &SpecialPoint) -> JsValue {
+    let name = |name: Option<&str>| name.map_or(JsValue::NULL, JsValue::from_str);
+    Record::new()
+        .text("kind", point.kind.name())
+        .number(parameter, point.value)
+        .number("amplitude", point.amplitude)
+        .number("frequency", point.frequency)
+        .maybe("branch", point.branch.map(|branch| branch as f64))
+        .number("index", point.index as f64)
+        .value("criticality", name(point.criticality.map(|(criticality, _)| criticality.name())))
+        .value("by", name(point.criticality.map(|(_, told)| told.name())))
+        .maybe("lyapunov", point.lyapunov)
         .done()
 }
 

@@ -88,6 +88,93 @@ export interface PredictedCycle {
   frequency: number;
   stable: boolean;
 }
+/** Rest and limit cycles over the range of a parameter. The ends may come in either order: the answer is the same. */
+export interface BifurcationSpec {
+  model: string;
+  parameters?: Parameters | null;
+  parameter: string;
+  from: number;
+  to: number;
+  /** what follows the parameter, as in a `Variation` */
+  linked?: Variation['linked'];
+  /** a cycle nearby whose branch is wanted, at a `value` of the parameter: its own in `parameters` */
+  cycle?: (CycleGuess & { value?: number | null }) | null;
+  /** most points of a branch, 2 … 10 000; 400 */
+  points?: number | null;
+  /** longest step along the parameter, in parts of its range, 1e-4 … 0.1; 0.025 */
+  step?: number | null;
+  /** how near special points are located, in parts of the range and of the cycle's size, 1e-9 … 1e-3; 1e-6 */
+  tolerance?: number | null;
+  /** at how many values motions from small and large starts are simulated, to find cycles that no branch has, 0 … 100; 4 */
+  probes?: number | null;
+}
+/** What the branches are made of is under the parameter's own name, too: `equilibria.velocity`, `cycles[0].velocity`, `points[0].velocity`. */
+export interface Bifurcation {
+  /** the parameter's name */
+  parameter: string;
+  equilibria: EquilibriumBranch;
+  cycles: CycleBranch[];
+  /** those of rest by rising value, then those of each branch in its order */
+  points: SpecialPoint[];
+}
+/** The gear at rest by rising values of the parameter, those of `points` among them: one array a quantity. */
+export interface EquilibriumBranch {
+  /** by state */
+  state: Record<string, Float64Array>;
+  /** 1/s: largest real part of an eigenvalue */
+  growthRate: Float64Array;
+  /** Hz: of that eigenvalue; 0 where it is real */
+  frequency: Float64Array;
+  /** how many eigenvalues are right of the imaginary axis */
+  unstable: Uint8Array;
+  /** 1: all small motions fade */
+  stable: Uint8Array;
+  [parameter: string]: any;
+}
+/** Neighbouring limit cycles, in their order along the branch: one array a quantity. Special points are among them. */
+export interface CycleBranch {
+  /** largest |·| of the first state; 0 at a Hopf point at which the branch begins or ends */
+  amplitude: Float64Array;
+  /** s */
+  period: Float64Array;
+  /** Hz */
+  frequency: Float64Array;
+  /** by state: largest |·| */
+  amplitudes: Record<string, Float64Array>;
+  /** by state: where on the cycle the first state rises through zero; with `period` a guess for `limitCycle` */
+  state: Record<string, Float64Array>;
+  /** Floquet multipliers, as many a cycle as there are states: re, im, re, im, … The trivial one (1, as computed) first, the others by falling size, of a pair the positive imaginary part first */
+  multipliers: Float64Array;
+  /** how many multipliers are outside of the unit circle */
+  unstable: Uint8Array;
+  /** 1: none is, neighbours come nearer */
+  stable: Uint8Array;
+  /** 1: the second half mirrors the first */
+  symmetric: Uint8Array;
+  /** what is at the first and at the last cycle: a Hopf point; the end of the range; each other; a cycle that shrinks to nothing elsewhere, as a gap closes; one that grows beyond bounds; the most points asked for; none found beyond */
+  ends: [BranchEnd, BranchEnd];
+  [parameter: string]: any;
+}
+export type BranchEnd = 'hopf' | 'range' | 'closed' | 'rest' | 'large' | 'points' | 'lost';
+/** A point at which rest or cycles change. */
+export interface SpecialPoint {
+  kind: 'hopf' | 'fold' | 'neimark-sacker' | 'period-doubling' | 'branch-point' | 'divergence';
+  /** largest |·| of the first state; at rest 0, or where it rests */
+  amplitude: number;
+  /** Hz: of the cycle, or of the eigenvalues that cross */
+  frequency: number;
+  /** which of `cycles` it is on, of a Hopf point which of them is born there; null where none */
+  branch: number | null;
+  /** its place on that branch; of `hopf` and `divergence` in `equilibria` */
+  index: number;
+  /** of a Hopf point: which way its branch goes. Supercritical: cycles are where rest is unstable; degenerate: the gear is linear */
+  criticality: 'supercritical' | 'subcritical' | 'degenerate' | null;
+  /** what tells that: the first Lyapunov coefficient where the laws are smooth around rest; where a kink is nearer than a fifth of the first state's typical size, the branch's direction beyond that kink */
+  by: 'lyapunov' | 'branch' | null;
+  /** of a Hopf point, 1/s over the first state's unit squared: by how much the growth rate of a swing changes with the square of its amplitude, within the laws' pieces at rest */
+  lyapunov: number | null;
+  [parameter: string]: any;
+}
 /** What linear theory says of a gear at rest. */
 export interface RouthHurwitz {
   stable: boolean;
@@ -215,6 +302,10 @@ export interface HopfCurve {
 }
 /** What a job has of a map: the cells so far. `stablePercent`: null before the first; `stableArea`: null before the last. */
 export type UnfinishedMap = Omit<StabilityMap, 'stablePercent' | 'stableArea'> & { stablePercent: number | null; stableArea: number | null };
+/** What a job can do: what the function of that name does, with the same spec. */
+export type JobKind = 'stabilityMap' | 'bifurcation';
+/** What a job has so far, by its kind. */
+export type JobResult = UnfinishedMap | Bifurcation;
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }
 /** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + stored. (A friction element would have its own field.) */

@@ -86,10 +86,10 @@ function worked(shimmy, asked, random) {
   const job = new shimmy.Job('stabilityMap', asked);
   try {
     job.advance(0);
-    const early = job.result();
+    const early = /** @type {any} */ (job.result());
     if (random.chance(0.2)) judged('advance', () => job.advance(/** @type {any} */ (garbage(random).value)));
     while (!job.advance(1).done);
-    const late = job.result();
+    const late = /** @type {any} */ (job.result());
     must('a map has shrunk', early.stable.length <= late.stable.length);
     return late;
   } finally {

@@ -190,6 +190,11 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.restart(t, x).inspect_err(|_| self.system = before)
     }
 
+    /// From now on no step is longer.
+    pub(crate) fn no_step_longer(&mut self, longest_step: f64) {
+        self.longest_step = longest_step;
+    }
+
     /// Time at the end of the last step.
     #[inline(always)]
     pub fn time(&self) -> f64 {

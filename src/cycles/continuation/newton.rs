@@ -1,0 +1,210 @@
+//! Cycles of a family as the solutions of equations: Newton's method, tangents, multipliers.
+
+use nalgebra::{Complex, DMatrix};
+
+use super::family::Family;
+use crate::{
+    cycles::{
+        shooting::{dot, norm},
+        square::Square,
+    },
+    error::Result,
+    few::sort_few,
+    stability::{Triangle, eigenvalues},
+};
+
+/// A Newton step that is shorter ends the way: what it would better is in the noise of the integration.
+const ARRIVED: f64 = 1e-8;
+/// With old derivatives one goes as near as this, and no nearer.
+const NEARLY: f64 = 1e-7;
+/// A step that cannot be bettered is the last where it is shorter than this.
+const ROUNDED: f64 = 1e-6;
+/// The longest step that is believed.
+const LONGEST: f64 = 1.0;
+/// Most matrices on the way, and most steps with one.
+const MATRICES: usize = 6;
+const STEPS: usize = 3;
+/// Steps with an old matrix go on as long as each is shorter than the one before by this factor.
+const GAINING: f64 = 0.2;
+/// By which part of its range the parameter is changed to see what that does.
+const ASIDE: f64 = 1e-5;
+
+/// A cycle: a state on it in units of the typical sizes, the time after which it is back there (of a symmetric one: at the
+/// mirror image), and the parameter.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    pub x: Vec<f64>,
+    pub time: f64,
+    pub value: f64,
+}
+
+/// Units in which distances between cycles are measured: the state by the cycle's size, time by itself, the parameter by
+/// its range.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chart {
+    /// −1 where half of a symmetric cycle is asked for, else 1.
+    pub sign: f64,
+    pub size: f64,
+    pub low: f64,
+    pub high: f64,
+}
+
+impl Chart {
+    pub fn width(&self) -> f64 {
+        self.high - self.low
+    }
+
+    /// `place` a part of a way farther.
+    pub fn ahead(&self, place: &Place, way: &[f64], part: f64) -> Place {
+        let n = place.x.len();
+        Place {
+            x: place.x.iter().zip(way).map(|(x, way)| x + self.size * part * way).collect(),
+            time: place.time * (1.0 + part * way[n]),
+            value: place.value + self.width() * part * way[n + 1],
+        }
+    }
+
+    /// The way from one place to another.
+    pub fn between(&self, from: &Place, to: &Place) -> Vec<f64> {
+        let mut way: Vec<f64> = from.x.iter().zip(&to.x).map(|(from, to)| (to - from) / self.size).collect();
+        way.push(to.time / from.time - 1.0);
+        way.push((to.value - from.value) / self.width());
+        way
+    }
+}
+
+/// A cycle that has been found, with the equations' derivatives there.
+#[derive(Clone, Debug)]
+pub(super) struct Solved {
+    pub place: Place,
+    /// How its neighbours are carried around, mirrored back where it is half of a symmetric one.
+    matrix: Square,
+    /// ẋ where it starts.
+    leaving: Vec<f64>,
+    /// Derivatives of the equations that `border` completes.
+    rows: DMatrix<f64>,
+}
+
+/// The cycle near `from` in the plane through it that stands on `border`; none where Newton's method finds none.
+///
+/// # Equations
+/// φ(x, T, p) = ±x, f(x₀)·(x − x₀) = 0 and b·(u − u₀) = 0 in the unknowns u = (x, T, p): an arrival, a phase, and a step of
+/// pseudo-arclength, or of the parameter alone where b points along it. The derivatives are taken anew only where old ones
+/// gain no more: with them a motion takes its neighbours along, and costs ten times as much.
+pub(super) fn correct(family: &mut dyn Family, chart: &Chart, from: &Place, border: &[f64]) -> Option<Solved> {
+    let mut place = from.clone();
+    let mut last = f64::INFINITY;
+    family.vary(from.value).then_some(())?;
+    let phase = family.flow().rate(&from.x);
+    for _ in 0..MATRICES {
+        let (here, end) = Solved::at(family, chart, place, &phase, border)?;
+        let step = here.step(chart, &end, &here.place.x);
+        let mut long = norm(&step);
+        if long < ARRIVED || (long >= last && long < ROUNDED) {
+            return Some(here);
+        }
+        if long.is_nan() || long >= LONGEST.min(last) {
+            return None;
+        }
+        last = long;
+        let mut next = chart.ahead(&here.place, &step, 1.0);
+        for _ in 0..STEPS {
+            if long < NEARLY || !is_sound(family, &next) {
+                break;
+            }
+            let (end, _) = family.flow().carry(&next.x, next.time, false)?;
+            let step = here.step(chart, &end, &next.x);
+            let again = norm(&step);
+            if again.is_nan() || again >= GAINING * long {
+                break;
+            }
+            (next, long) = (chart.ahead(&next, &step, 1.0), again);
+        }
+        place = next;
+    }
+    None
+}
+
+/// Goes over to the place's parameter; says whether there is a way to go from it.
+fn is_sound(family: &mut dyn Family, place: &Place) -> bool {
+    place.time > 0.0 && family.vary(place.value)
+}
+
+impl Solved {
+    /// The equations at a place, and where the motion from it arrives.
+    fn at(
+        family: &mut dyn Family,
+        chart: &Chart,
+        place: Place,
+        phase: &[f64],
+        border: &[f64],
+    ) -> Option<(Self, Vec<f64>)> {
+        let Chart { sign, size, .. } = *chart;
+        let n = place.x.len();
+        is_sound(family, &place).then_some(())?;
+        let flow = family.flow();
+        let (end, matrix) = flow.carry(&place.x, place.time, true)?;
+        let (leaving, arriving) = (flow.rate(&place.x), flow.rate(&end));
+        let aside = ASIDE * if place.value + ASIDE * chart.width() > chart.high { -1.0 } else { 1.0 };
+        family.vary(place.value + aside * chart.width()).then_some(())?;
+        let (other, _) = family.flow().carry(&place.x, place.time, false)?;
+        let speed = norm(phase);
+        let rows = DMatrix::from_fn(n + 2, n + 2, |i, j| match (i, j) {
+            _ if i == n + 1 => border[j],
+            _ if i == n => {
+                if j < n {
+                    phase[j] / speed
+                } else {
+                    0.0
+                }
+            }
+            _ if j < n => matrix.at(i, j) - if i == j { sign } else { 0.0 },
+            _ if j == n => arriving[i] * place.time / size,
+            _ => (other[i] - end[i]) / (aside * size),
+        });
+        let matrix = Square::of(n, &|i, j| sign * matrix.at(i, j));
+        Some((Self { place, matrix, leaving, rows }, end))
+    }
+
+    /// The step that the equations ask for where a motion from x arrives at `end`.
+    fn step(&self, chart: &Chart, end: &[f64], x: &[f64]) -> Vec<f64> {
+        let miss = |i: usize| if i < x.len() { (chart.sign * x[i] - end[i]) / chart.size } else { 0.0 };
+        solution(&self.rows, &miss)
+    }
+
+    /// The way that the branch goes here, of length 1, ahead along `border`.
+    pub fn tangent(&self, border: &[f64]) -> Vec<f64> {
+        let last = self.rows.nrows() - 1;
+        let mut rows = self.rows.clone();
+        (0..=last).for_each(|j| rows[(last, j)] = border[j]);
+        let way = solution(&rows, &|i| f64::from(u8::from(i == last)));
+        let length = norm(&way);
+        way.iter().map(|part| part / length).collect()
+    }
+
+    /// The multipliers of one round, of half a round and its mirror where that is what was asked for: that along the cycle,
+    /// which is 1 but for errors, and the others by falling size, of a pair the positive imaginary part first.
+    ///
+    /// A reflection turns the first direction into that of the motion, which is carried into itself: what is left of the
+    /// matrix beside it has the other multipliers alone, and keeps them apart from the first where they come near to it.
+    ///
+    /// # Errors
+    /// A matrix so extreme that its eigenvalues leave the numbers.
+    pub fn multipliers(&self) -> Result<(f64, Vec<Complex<f64>>)> {
+        let n = self.leaving.len();
+        let speed = norm(&self.leaving);
+        let mut normal: Vec<f64> = self.leaving.iter().map(|part| part / speed).collect();
+        normal[0] += 1.0_f64.copysign(normal[0]);
+        let scale = 2.0 / dot(&normal, &normal);
+        let mirror = Square::of(n, &|i, j| f64::from(u8::from(i == j)) - scale * normal[i] * normal[j]);
+        let turned = mirror.times(&self.matrix).times(&mirror);
+        let mut others = eigenvalues(&DMatrix::from_fn(n - 1, n - 1, |i, j| turned.at(i + 1, j + 1)))?;
+        sort_few(&mut others, |a, b| a.norm_sqr() > b.norm_sqr());
+        Ok((turned.at(0, 0), others))
+    }
+}
+
+fn solution(rows: &DMatrix<f64>, side: &dyn Fn(usize) -> f64) -> Vec<f64> {
+    let side: Vec<Complex<f64>> = (0..rows.nrows()).map(|i| side(i).into()).collect();
+    Triangle::of(rows, 0.0.into(), &side).solution(0.0).iter().map(|part| part.re).collect()
+}

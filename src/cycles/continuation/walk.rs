@@ -1,0 +1,282 @@
+//! Following a branch of cycles.
+
+use nalgebra::Complex;
+
+use super::{
+    family::Family,
+    newton::{Chart, Place, Solved, correct},
+    special::{self, PointKind},
+};
+use crate::{
+    cycles::{
+        flow::Swing,
+        shooting::{dot, norm},
+    },
+    error::Result,
+};
+
+/// The first step, the shortest, and the longest: in an amplitude this part of it.
+const FIRST: f64 = 0.02;
+const SHORTEST: f64 = 1e-6;
+const LONGEST: f64 = 0.5;
+/// How far a branch may be from the tangent at the end of a step: a fourth of that from the straight line between its points.
+const BEND: f64 = 6e-3;
+/// The cosine of the largest turn in a step.
+const LARGEST_TURN: f64 = 0.8;
+/// A cycle that is this much smaller than the largest of its branch has gone to rest.
+const REST: f64 = 1e-3;
+/// A cycle whose states are this many times their typical sizes is beyond all reason.
+const LARGE: f64 = 1e3;
+/// What a period may grow to, beside the shortest of its branch.
+const LONG: f64 = 100.0;
+/// How near to its first point a branch is when it has come back: parts of the range, the amplitude and the period.
+const CLOSED: f64 = 1e-3;
+
+/// Why a branch ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BranchEnd {
+    /// At a Hopf point: the cycle is born there, or dies.
+    Hopf,
+    /// At the end of the range.
+    Range,
+    /// It comes back to where it began.
+    Closed,
+    /// The cycle shrinks to nothing elsewhere: as the gap does that it lives on.
+    Rest,
+    /// The cycle, or its period, grows beyond all bounds.
+    Large,
+    /// As many points as were asked for.
+    Points,
+    /// Newton's method finds no next one.
+    Lost,
+}
+
+impl BranchEnd {
+    /// Public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hopf => "hopf",
+            Self::Range => "range",
+            Self::Closed => "closed",
+            Self::Rest => "rest",
+            Self::Large => "large",
+            Self::Points => "points",
+            Self::Lost => "lost",
+        }
+    }
+}
+
+/// A cycle on a branch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CyclePoint {
+    /// The parameter.
+    pub value: f64,
+    /// \[s\].
+    pub period: f64,
+    /// Largest |·| of every state.
+    pub amplitude: Vec<f64>,
+    /// Where the first state rises through zero, if it does, else another state on the cycle.
+    pub state: Vec<f64>,
+    /// Floquet multipliers: the trivial one (1, as it was computed) first, the others by falling size, of a pair the positive
+    /// imaginary part first.
+    pub multipliers: Vec<Complex<f64>>,
+    /// How many of the others are outside of the unit circle.
+    pub unstable: usize,
+    /// The second half mirrors the first.
+    pub symmetric: bool,
+}
+
+/// A cycle with what is needed to go on from it.
+#[derive(Clone, Debug)]
+pub(super) struct Stop {
+    pub solved: Solved,
+    /// Which way the branch goes on.
+    pub tangent: Vec<f64>,
+    pub chart: Chart,
+    /// Multipliers of one round, or of half of one and its mirror, without the trivial one.
+    pub halves: Vec<Complex<f64>>,
+    pub point: CyclePoint,
+}
+
+impl Stop {
+    /// What there is to know of a cycle that was found; the branch goes on along `ahead`.
+    ///
+    /// # Errors
+    /// A motion or a matrix that leaves the numbers.
+    pub fn of(family: &mut dyn Family, chart: &Chart, solved: Solved, ahead: &[f64]) -> Result<Self> {
+        let (trivial, halves) = solved.multipliers()?;
+        let place = &solved.place;
+        let symmetric = chart.sign < 0.0;
+        let period = place.time * if symmetric { 2.0 } else { 1.0 };
+        family.vary(place.value);
+        let flow = family.flow();
+        flow.pace(period);
+        let Swing { amplitude, size, rise } = flow.swing(&place.x, period)?;
+        let whole = |half: &Complex<f64>| if symmetric { half * half } else { *half };
+        let multipliers: Vec<_> = [Complex::from(trivial)].iter().chain(&halves).map(whole).collect();
+        let unstable = multipliers[1..].iter().filter(|value| value.norm_sqr() > 1.0).count();
+        let tangent = rescaled(solved.tangent(ahead), chart.size / size);
+        let point = CyclePoint { value: place.value, period, amplitude, state: rise, multipliers, unstable, symmetric };
+        Ok(Self { solved, tangent, chart: Chart { size, ..*chart }, halves, point })
+    }
+
+    pub fn place(&self) -> &Place {
+        &self.solved.place
+    }
+
+    /// The same cycle, from which the branch goes on the other way.
+    pub fn turned(&self) -> Self {
+        Self { tangent: self.tangent.iter().map(|part| -part).collect(), ..self.clone() }
+    }
+}
+
+/// A way of length 1 whose states were measured by a size that is `factor` times the new one.
+fn rescaled(mut way: Vec<f64>, factor: f64) -> Vec<f64> {
+    let n = way.len() - 2;
+    way[..n].iter_mut().for_each(|part| *part *= factor);
+    let length = norm(&way);
+    way.iter_mut().for_each(|part| *part /= length);
+    way
+}
+
+/// A branch on the way.
+pub(super) struct Walk {
+    /// The cycles so far.
+    pub stops: Vec<Stop>,
+    /// Special ones among them: their kind and place in the list.
+    pub special: Vec<(PointKind, usize)>,
+    /// The next step.
+    length: f64,
+    /// The largest size and the shortest period so far.
+    largest: f64,
+    shortest: f64,
+    limits: Limits,
+}
+
+/// What a branch is followed with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// Most points.
+    pub points: usize,
+    /// The longest step, in parts of the parameter's range.
+    pub step: f64,
+    /// How near a special point is located, in steps' units.
+    pub tolerance: f64,
+}
+
+impl Walk {
+    pub fn new(start: Stop, limits: Limits) -> Self {
+        let (largest, shortest) = (start.chart.size, start.point.period);
+        Self { stops: vec![start], special: Vec::new(), length: FIRST, largest, shortest, limits }
+    }
+
+    /// Takes a step; tells why where there is none to take, or the last was one.
+    ///
+    /// # Errors
+    /// A motion or a matrix that leaves the numbers.
+    pub fn advance(&mut self, family: &mut dyn Family) -> Result<Option<BranchEnd>> {
+        if self.stops.len() >= self.limits.points {
+            return Ok(Some(BranchEnd::Points));
+        }
+        let here = self.stops[self.stops.len() - 1].clone();
+        let n = here.place().x.len();
+        let (swings, along) = (norm(&here.tangent[..=n]), here.tangent[n + 1].abs());
+        self.length = self.length.min(LONGEST / swings).min(self.limits.step / along);
+        while self.length > SHORTEST {
+            let Some((next, fit)) = self.next(family, &here)? else {
+                self.length *= 0.4;
+                continue;
+            };
+            if fit.turn < LARGEST_TURN || fit.bend > BEND {
+                self.length *= (0.9 * (BEND / fit.bend).sqrt()).clamp(0.2, 0.5);
+                continue;
+            }
+            self.length *= (0.9 * (BEND / fit.bend).sqrt()).min(2.0);
+            for (kind, stop) in special::between(family, &here, &next, self.limits.tolerance)? {
+                self.special.push((kind, self.stops.len()));
+                self.stops.push(stop);
+            }
+            let end = if fit.edge { Some(BranchEnd::Range) } else { self.end(&next) };
+            self.largest = self.largest.max(next.chart.size);
+            self.shortest = self.shortest.min(next.point.period);
+            self.stops.push(next);
+            return Ok(end);
+        }
+        Ok(Some(BranchEnd::Lost))
+    }
+
+    /// The cycle a step ahead, at the end of the range where that is nearer.
+    fn next(&self, family: &mut dyn Family, here: &Stop) -> Result<Option<(Stop, Fit)>> {
+        let Stop { tangent, chart, .. } = here;
+        let within = |place: &Place| (chart.low..=chart.high).contains(&place.value);
+        let guess = chart.ahead(here.place(), tangent, self.length);
+        family.flow().pace(here.point.period);
+        let found = if within(&guess) { correct(family, chart, &guess, tangent) } else { None };
+        let (solved, guess, edge) = match found {
+            Some(solved) if within(&solved.place) => (solved, guess, false),
+            found => {
+                // Towards the point beyond the end, or along the tangent, as far as the end.
+                let way = match &found {
+                    Some(beyond) => chart.between(here.place(), &beyond.place),
+                    None if within(&guess) => return Ok(None),
+                    None => tangent.clone(),
+                };
+                let along = way[way.len() - 1];
+                let end = if along > 0.0 { chart.high } else { chart.low };
+                let mut guess = chart.ahead(here.place(), &way, (end - here.place().value) / (chart.width() * along));
+                guess.value = end;
+                let border: Vec<f64> = (0..way.len()).map(|j| f64::from(u8::from(j + 1 == way.len()))).collect();
+                let Some(mut solved) = correct(family, chart, &guess, &border) else { return Ok(None) };
+                solved.place.value = end;
+                (solved, guess, true)
+            }
+        };
+        let missed = chart.between(&guess, &solved.place);
+        let n = missed.len() - 2;
+        let bend = (norm(&missed[..n]) * chart.size / self.largest).hypot(missed[n + 1]);
+        let next = Stop::of(family, chart, solved, tangent)?;
+        let turn = dot(tangent, &rescaled(next.tangent.clone(), next.chart.size / chart.size));
+        Ok(Some((next, Fit { bend: bend.max(1e-3 * BEND), turn, edge })))
+    }
+
+    /// Why the branch ends with its next cycle, if it does.
+    fn end(&self, next: &Stop) -> Option<BranchEnd> {
+        let size = next.chart.size;
+        if size < REST * self.largest {
+            Some(BranchEnd::Rest)
+        } else if size > LARGE || next.point.period > LONG * self.shortest {
+            Some(BranchEnd::Large)
+        } else if self.comes_back(next) {
+            Some(BranchEnd::Closed)
+        } else {
+            None
+        }
+    }
+
+    /// Whether the first cycle lies between the last and the next one.
+    fn comes_back(&self, next: &Stop) -> bool {
+        let (first, last) = (&self.stops[0], &self.stops[self.stops.len() - 1]);
+        let way = |from: &Stop, to: &Stop| {
+            let part = |a: f64, b: f64| b / a - 1.0;
+            [
+                (to.point.value - from.point.value) / first.chart.width(),
+                part(first.chart.size, first.chart.size + to.chart.size - from.chart.size),
+                part(first.point.period, first.point.period + to.point.period - from.point.period),
+            ]
+        };
+        let (step, home) = (way(last, next), way(last, first));
+        let along = dot(&step, &home) / dot(&step, &step);
+        let aside: Vec<f64> = step.iter().zip(&home).map(|(step, home)| home - along * step).collect();
+        self.stops.len() > 4 && (0.0..=1.0).contains(&along) && norm(&aside) < CLOSED
+    }
+}
+
+/// How well the next cycle fits to the one before.
+struct Fit {
+    /// How far it is from the tangent.
+    bend: f64,
+    /// The cosine of the angle between both tangents.
+    turn: f64,
+    /// It is at the end of the range.
+    edge: bool,
+}
