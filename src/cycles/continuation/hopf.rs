@@ -234,7 +234,7 @@ impl Hopf {
             let x = self.swing(amplitude, 0.0);
             let border: Vec<f64> = way.iter().map(|part| part / size).chain([0.0, 0.0]).collect();
             family.flow().pace(period);
-            let place = Place { x, time, value: value.clamp(line.from(), line.to()) };
+            let place = Place { x, time, value: value.max(line.from()).min(line.to()) };
             if let Some(solved) = correct(family, &chart, &place, &border)
                 && (line.from()..=line.to()).contains(&solved.place.value)
             {

@@ -17,7 +17,7 @@ use crate::{
 
 /// The first step, the shortest, and the longest: in an amplitude this part of it.
 const FIRST: f64 = 0.02;
-const SHORTEST: f64 = 1e-6;
+const SHORTEST: f64 = 1e-9;
 const LONGEST: f64 = 0.5;
 /// How far a branch may be from the tangent at the end of a step: a fourth of that from the straight line between its points.
 const BEND: f64 = 6e-3;
@@ -188,7 +188,7 @@ impl Walk {
                 continue;
             };
             if fit.turn < LARGEST_TURN || fit.bend > BEND {
-                self.length *= (0.9 * (BEND / fit.bend).sqrt()).clamp(0.2, 0.5);
+                self.length *= (0.9 * (BEND / fit.bend).sqrt()).max(0.2).min(0.5);
                 continue;
             }
             self.length *= (0.9 * (BEND / fit.bend).sqrt()).min(2.0);
