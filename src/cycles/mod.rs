@@ -19,8 +19,8 @@ use nalgebra::Complex;
 
 pub use self::{
     continuation::{
-        Bifurcation, BifurcationSpec, BranchEnd, Criticality, CycleBranch, CyclePoint, PointKind, RestBranch,
-        SpecialPoint, Told,
+        Bifurcation, BifurcationSpec, BranchEnd, Criticality, CycleBranch, CyclePoint, FoldCurve, FoldCurves, FoldSpec,
+        PointKind, RestBranch, SpecialPoint, Told,
     },
     describing::{Amplitudes, Predicted},
     start::Guess,

@@ -80,6 +80,17 @@ impl Run {
         Ok(self)
     }
 
+    /// With other values of all parameters, in table order.
+    ///
+    /// # Errors
+    /// A value that is not valid.
+    pub(crate) fn with_values(mut self, values: &[f64]) -> Result<Self> {
+        for (parameter, value) in self.table().iter().zip(values) {
+            self.set_parameter(parameter.name, *value)?;
+        }
+        Ok(self)
+    }
+
     /// Starting with another value of the state `name`.
     ///
     /// # Errors

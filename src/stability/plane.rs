@@ -80,13 +80,13 @@ impl Plane {
     }
 
     /// The fields that a plane has.
-    pub(super) const KEYS: [&'static str; 5] = ["model", "parameters", "x", "y", "linked"];
+    pub(crate) const KEYS: [&'static str; 5] = ["model", "parameters", "x", "y", "linked"];
 
     /// Reads a plane whose axes have `more` fields than parameter and ends; these come back for both.
     ///
     /// # Errors
     /// Anything but known keys with valid values; the error names the field.
-    pub(super) fn read_with<'a>(fields: &Fields<'a>, more: &[&'static str]) -> Result<(Self, [Fields<'a>; 2])> {
+    pub(crate) fn read_with<'a>(fields: &Fields<'a>, more: &[&'static str]) -> Result<(Self, [Fields<'a>; 2])> {
         let given =
             ["model", "parameters"].into_iter().filter_map(|key| Some((key.to_owned(), fields.value(key)?.clone())));
         let run = Run::read(&Value::Record(given.collect()))?;
@@ -155,6 +155,19 @@ impl Plane {
         (values[self.x.index], values[self.y.index]) = (self.x.value(x), self.y.value(y));
         self.follow(&mut values);
         values
+    }
+
+    /// The gear at a point of the unit square.
+    ///
+    /// # Errors
+    /// A value that makes another one invalid that is linked to it.
+    pub(crate) fn run_at(&self, at: [f64; 2]) -> Result<Run> {
+        self.run.clone().with_values(&self.values(at))
+    }
+
+    /// The links between its parameters and others.
+    pub(crate) fn links(&self) -> Links {
+        self.links
     }
 
     /// The eigenvalues at a point of the unit square, by falling real part.

@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use super::{input, of_run, output, record::list};
-use crate::cycles::{BifurcationSpec, Guess};
+use crate::cycles::{BifurcationSpec, FoldSpec, Guess};
 
 /// The limit cycle near the guess, or the one that the run's motion settles on; from rest, one that a larger and larger
 /// push leads to.
@@ -31,4 +31,11 @@ pub fn bifurcation(
 ) -> Result<JsValue, JsValue> {
     let made = input::value(&spec, "bifurcation").and_then(|value| BifurcationSpec::read(&value)?.made());
     made.map(|made| output::bifurcation(&made)).map_err(output::error)
+}
+
+/// The curves in a plane of two parameters at which two limit cycles meet and vanish.
+#[wasm_bindgen(js_name = foldCurve, unchecked_return_type = "FoldCurve[]")]
+pub fn fold_curve(#[wasm_bindgen(unchecked_param_type = "FoldSpec")] plane: JsValue) -> Result<JsValue, JsValue> {
+    let made = input::value(&plane, "plane").and_then(|value| FoldSpec::read(&value)?.made());
+    made.map(|made| list(made.curves(), output::fold_curve)).map_err(output::error)
 }

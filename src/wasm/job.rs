@@ -5,9 +5,12 @@ use std::cell::RefCell;
 use js_sys::Date;
 use wasm_bindgen::prelude::*;
 
-use super::{call_into, input, output, record::Record};
+use super::{
+    call_into, input, output,
+    record::{Record, list},
+};
 use crate::{
-    cycles::{Bifurcation, BifurcationSpec},
+    cycles::{Bifurcation, BifurcationSpec, FoldCurves, FoldSpec},
     error::{Code, Error, Result, shown},
     run::Value,
     stability::{MapSpec, StabilityMap},
@@ -21,13 +24,14 @@ struct Kind {
     begin: fn(&Value) -> Result<Box<dyn Work>>,
 }
 
-const KINDS: [Kind; 2] = [
+const KINDS: [Kind; 3] = [
     Kind { name: "stabilityMap", spec: "map", begin: |spec| Ok(Box::new(MapSpec::read(spec)?.begin())) },
     Kind {
         name: "bifurcation",
         spec: "bifurcation",
         begin: |spec| Ok(Box::new(BifurcationSpec::read(spec)?.begin()?)),
     },
+    Kind { name: "foldCurve", spec: "plane", begin: |spec| Ok(Box::new(FoldSpec::read(spec)?.begin()?)) },
 ];
 
 /// Work that is done bit by bit.
@@ -76,13 +80,28 @@ impl Work for Bifurcation {
     }
 }
 
+impl Work for FoldCurves {
+    fn advance(&mut self) -> Result<()> {
+        self.advance()
+    }
+    fn done(&self) -> bool {
+        self.done()
+    }
+    fn fraction(&self) -> f64 {
+        self.fraction()
+    }
+    fn result(&self) -> Result<JsValue> {
+        Ok(list(self.curves(), output::fold_curve))
+    }
+}
+
 #[wasm_bindgen]
 impl Job {
     /// The work of the function of this name, with what that is given.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "JobKind")] kind: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "MapSpec | BifurcationSpec")] spec: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "MapSpec | BifurcationSpec | FoldSpec")] spec: JsValue,
     ) -> std::result::Result<Job, JsValue> {
         let begin = || {
             let kind = input::text(&kind, "kind")?;

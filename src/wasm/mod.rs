@@ -14,7 +14,7 @@ mod plane;
 mod record;
 mod simulator;
 
-pub use cycles::{bifurcation, describing_function, limit_cycle};
+pub use cycles::{bifurcation, describing_function, fold_curve, limit_cycle};
 pub use job::Job;
 pub use linear::{
     characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, jacobian, routh_array, routh_hurwitz,

@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 use super::record::{Record, list, numbers};
 use crate::{
     Error, Run,
-    cycles::{Bifurcation, CycleBranch, CyclePoint, LimitCycle, Predicted, SpecialPoint},
+    cycles::{Bifurcation, CycleBranch, CyclePoint, FoldCurve, LimitCycle, Predicted, SpecialPoint},
     energy::Energy,
     integrate::{Stats, Trajectory},
     live::{Columns, Envelope},
@@ -344,6 +344,18 @@ pub(super) fn hopf_curve(curve: &HopfCurve) -> JsValue {
         .series("y", &curve.y)
         .series("frequency", &curve.frequency)
         .text("kind", curve.kind.name())
+        .truth("closed", curve.closed)
+        .truth("bounds", curve.bounds)
+        .done()
+}
+
+pub(super) fn fold_curve(curve: &FoldCurve) -> JsValue {
+    Record::new()
+        .series("x", &curve.x)
+        .series("y", &curve.y)
+        .series("frequency", &curve.frequency)
+        .series("amplitude", &curve.amplitude)
+        .text("kind", "fold")
         .truth("closed", curve.closed)
         .truth("bounds", curve.bounds)
         .done()

@@ -175,6 +175,22 @@ export interface SpecialPoint {
   lyapunov: number | null;
   [parameter: string]: any;
 }
+/** Curves of folds in a plane. `seeds`: as many rows and columns of it have their diagram made to find folds, 1 … 100; 4. */
+export interface FoldSpec extends Plane { seeds?: number | null }
+/** A curve in a plane at which two limit cycles meet and vanish, as a polyline: beside a `HopfCurve` to be drawn as one. */
+export interface FoldCurve {
+  x: Float64Array;
+  y: Float64Array;
+  /** Hz, of the cycle */
+  frequency: Float64Array;
+  /** of the cycle: largest |·| of its first state */
+  amplitude: Float64Array;
+  kind: 'fold';
+  /** the last point is the first */
+  closed: boolean;
+  /** all other multipliers are within the unit circle: one of the two cycles is stable, and ends here */
+  bounds: boolean;
+}
 /** What linear theory says of a gear at rest. */
 export interface RouthHurwitz {
   stable: boolean;
@@ -303,9 +319,9 @@ export interface HopfCurve {
 /** What a job has of a map: the cells so far. `stablePercent`: null before the first; `stableArea`: null before the last. */
 export type UnfinishedMap = Omit<StabilityMap, 'stablePercent' | 'stableArea'> & { stablePercent: number | null; stableArea: number | null };
 /** What a job can do: what the function of that name does, with the same spec. */
-export type JobKind = 'stabilityMap' | 'bifurcation';
+export type JobKind = 'stabilityMap' | 'bifurcation' | 'foldCurve';
 /** What a job has so far, by its kind. */
-export type JobResult = UnfinishedMap | Bifurcation;
+export type JobResult = UnfinishedMap | Bifurcation | FoldCurve[];
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }
 /** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + stored. (A friction element would have its own field.) */

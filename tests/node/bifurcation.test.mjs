@@ -80,6 +80,26 @@ test('a job makes the same diagram, and has what there is before it is done', ()
   job.free();
 });
 
+test('a curve of folds: shimmy beside a gear that is stable at rest', () => {
+  // A wheel that leads its axis, on a tire whose aligning moment goes on growing: see tests/bifurcation.rs.
+  const parameters = { casterLength: -0.06, aligningMomentLimitAngle: (40 * Math.PI) / 180 };
+  const [x, y] = [{ parameter: 'velocity', from: 10, to: 120 }, { parameter: 'dampingConstant', from: 0, to: 40 }];
+  const curves = shimmy.foldCurve({ model: 'torsional', parameters, x, y, seeds: 2 });
+  assert.equal(curves.length, 2);
+  for (const { kind, closed, bounds, ...columns } of curves) {
+    assert.deepEqual([kind, closed, bounds, Object.keys(columns)], ['fold', false, true, ['x', 'y', 'frequency', 'amplitude']]);
+    for (const column of Object.values(columns)) assert.equal(column.length, columns.x.length);
+    assert.ok(columns.y.includes(0) && columns.x.includes(120));
+  }
+  const job = new shimmy.Job('foldCurve', { model: 'torsional', parameters, x, y, seeds: 2 });
+  assert.deepEqual(job.result(), []);
+  while (!job.advance(1).done);
+  assert.deepEqual(job.result(), curves);
+  job.free();
+  const refused = refusal(() => shimmy.foldCurve(/** @type {any} */ ({ model: 'torsional', x, y, seeds: 0 })));
+  assert.deepEqual([refused.field, refused.code], ['seeds', 'out-of-range']);
+});
+
 test('what makes no sense is refused by name', () => {
   /** @param {object} change */
   const refused = (change) => refusal(() => shimmy.bifurcation(/** @type {any} */ ({ ...SPEC, ...change })));

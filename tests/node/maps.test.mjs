@@ -129,7 +129,7 @@ test('a bad plane is refused in words', () => {
   assert.equal(refusal(() => shimmy.hopfCurve({ model: 'torsional', x, y, accuracy: 0 })).field, 'accuracy');
   assert.equal(refusal(() => shimmy.hopfCurve({ model: 'torsional', x: { ...x, to: 1e12 }, y })).field, 'x.to');
   const job = refusal(() => new shimmy.Job(/** @type {any} */ ('basins'), MAP));
-  assert.deepEqual([job.code, job.field, job.allowed], ['unknown-name', 'kind', 'one of stabilityMap, bifurcation']);
+  assert.deepEqual([job.code, job.field, job.allowed], ['unknown-name', 'kind', 'one of stabilityMap, bifurcation, foldCurve']);
   const going = new shimmy.Job('stabilityMap', MAP);
   assert.equal(refusal(() => going.advance(-1)).field, 'milliseconds');
   assert.equal(refusal(() => going.advance(NaN)).field, 'milliseconds');

@@ -1,8 +1,7 @@
 //! A gear's motions while one of its parameters varies: where the type of its system is known for the last time.
 
-use std::sync::Arc;
+use std::rc::Rc;
 
-use super::line::Line;
 use crate::{
     cycles::{
         MOST_STEPS,
@@ -26,6 +25,9 @@ pub(crate) trait Family {
     /// Goes over to another value of the parameter; says whether its equations are in finite numbers.
     fn vary(&mut self, value: f64) -> bool;
 
+    /// From now on a second parameter has another value, where there is one.
+    fn aside(&mut self, other: f64);
+
     /// The motions at the present value.
     fn flow(&mut self) -> &mut dyn Flow;
 
@@ -40,15 +42,19 @@ pub(crate) trait Family {
     fn settled(&self, x: &[f64], horizon: f64) -> Result<Option<(Vec<f64>, f64)>>;
 }
 
-/// The family of a listed model.
+/// A gear by the value of its parameter, and of a second one.
+pub(crate) type RunAt = Rc<dyn Fn(f64, f64) -> Result<Run>>;
+
+/// The family of a listed model, first with these values.
 ///
 /// # Errors
 /// Parameters so extreme that the equations leave the numbers.
-pub(crate) fn family(line: &Arc<Line>) -> Result<Box<dyn Family>> {
+pub(crate) fn family(run_at: &RunAt, first: [f64; 2]) -> Result<Box<dyn Family>> {
+    let run = run_at(first[0], first[1])?;
     macro_rules! pose {
         ($($n:literal, $model:ty;)*) => {
-            $(if line.run().description().name == <$model>::NAME {
-                return Ok(Box::new(posed(line, Tables::of::<$n, $model>())?));
+            $(if run.description().name == <$model>::NAME {
+                return Ok(Box::new(posed(run_at, &run, first, Tables::of::<$n, $model>())?));
             })*
         };
     }
@@ -57,28 +63,41 @@ pub(crate) fn family(line: &Arc<Line>) -> Result<Box<dyn Family>> {
 }
 
 /// The family of a model's system.
-fn posed<S: Gear<N>, const N: usize>(line: &Arc<Line>, tables: &'static Tables<S>) -> Result<Varied<S, N>> {
-    let of = Arc::clone(line);
-    let make = move |value| Ok(Posed::new(of.run_at(value)?, tables).system);
-    Varied::new(Box::new(make), line.from(), line.run(), tables.description.state)
+fn posed<S: Gear<N>, const N: usize>(
+    run_at: &RunAt,
+    run: &Run,
+    first: [f64; 2],
+    tables: &'static Tables<S>,
+) -> Result<Varied<S, N>> {
+    let run_at = Rc::clone(run_at);
+    let make = move |[value, other]: [f64; 2]| Ok(Posed::new(run_at(value, other)?, tables).system);
+    Varied::new(Box::new(make), first, (run.method(), run.rtol()), tables.description.state)
 }
 
-/// A system by the value of its parameter.
-type Make<S> = Box<dyn Fn(f64) -> Result<S>>;
+/// A system by the value of its parameter, and of a second one.
+type Make<S> = Box<dyn Fn([f64; 2]) -> Result<S>>;
 
 /// A system that varies.
 pub(super) struct Varied<S, const N: usize> {
     make: Make<S>,
-    value: f64,
+    values: [f64; 2],
+    /// The second parameter as it will be from the next variation on.
+    other: f64,
     carrier: Carrier<S, N>,
     states: &'static [StateVariable],
 }
 
 impl<S: Gear<N>, const N: usize> Varied<S, N> {
-    fn new(make: Make<S>, value: f64, run: &Run, states: &'static [StateVariable]) -> Result<Self> {
+    /// A system by its parameters, which have values now; by a method, to a relative tolerance.
+    fn new(
+        make: Make<S>,
+        values: [f64; 2],
+        (method, rtol): (Method, f64),
+        states: &'static [StateVariable],
+    ) -> Result<Self> {
         let scale = std::array::from_fn(|i| states[i].scale);
-        let carrier = Carrier::new(make(value)?, run.method(), run.rtol().min(RTOL), scale, 1.0, MOST_STEPS_A_PERIOD)?;
-        Ok(Self { make, value, carrier, states })
+        let carrier = Carrier::new(make(values)?, method, rtol.min(RTOL), scale, 1.0, MOST_STEPS_A_PERIOD)?;
+        Ok(Self { make, values, other: values[1], carrier, states })
     }
 
     fn own(&self, x: &[f64]) -> [f64; N] {
@@ -88,15 +107,20 @@ impl<S: Gear<N>, const N: usize> Varied<S, N> {
 
 impl<S: Gear<N>, const N: usize> Family for Varied<S, N> {
     fn vary(&mut self, value: f64) -> bool {
-        if value == self.value {
+        let values = [value, self.other];
+        if values == self.values {
             return true;
         }
-        let Ok(system) = (self.make)(value) else { return false };
+        let Ok(system) = (self.make)(values) else { return false };
         let done = self.carrier.replace(system);
         if done {
-            self.value = value;
+            self.values = values;
         }
         done
+    }
+
+    fn aside(&mut self, other: f64) {
+        self.other = other;
     }
 
     fn flow(&mut self) -> &mut dyn Flow {
@@ -117,5 +141,18 @@ impl<S: Gear<N>, const N: usize> Family for Varied<S, N> {
         let (End::Repeats, Some(cycle)) = (look.end, look.destination) else { return Ok(None) };
         let x = look.motion.state().iter().zip(self.states).map(|(x, state)| x / state.scale).collect();
         Ok(Some((x, cycle.period)))
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    const STATE: StateVariable = StateVariable { name: "x", symbol: "x", unit: "1", scale: 1.0, doc: "A state." };
+
+    /// The family of any system whose typical sizes are 1.
+    pub fn family<S: Gear<N>, const N: usize>(make: fn(f64) -> S, value: f64) -> Varied<S, N> {
+        let states: &'static [StateVariable] = const { &[STATE; 8] }.split_at(N).0;
+        Varied::new(Box::new(move |[value, _]| Ok(make(value))), [value, 0.0], (Method::Auto, 1e-8), states).unwrap()
     }
 }

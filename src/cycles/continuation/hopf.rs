@@ -4,14 +4,12 @@ use nalgebra::{Complex, DMatrix};
 
 use super::{
     family::Family,
-    line::Line,
     newton::{Chart, Place, Solved, correct},
 };
 use crate::{
     cycles::shooting::{is_odd, norm},
     error::Result,
-    model::Description,
-    stability::{Crossing, Triangle},
+    stability::{Crossing, Linearisation, Triangle},
 };
 
 /// The first cycle's size, in units of the typical one, and how often it is halved where it is not found.
@@ -71,6 +69,16 @@ impl Told {
     }
 }
 
+/// A gear at rest along a range.
+pub(super) struct AtRest<'a> {
+    /// At a value of the parameter.
+    pub rest: &'a dyn Fn(f64) -> Result<Linearisation>,
+    /// The states' typical sizes.
+    pub scales: Vec<f64>,
+    pub low: f64,
+    pub high: f64,
+}
+
 /// A Hopf point.
 #[derive(Clone, Debug)]
 pub(super) struct Hopf {
@@ -89,18 +97,17 @@ pub(super) struct Hopf {
 }
 
 impl Hopf {
-    /// The Hopf point of a crossing.
+    /// The Hopf point of a crossing; none where there is none in finite numbers.
     ///
     /// # Errors
-    /// As [`Line::rest`].
-    pub fn of(family: &mut dyn Family, line: &Line, crossing: &Crossing) -> Result<Option<Self>> {
-        let Description { state, .. } = line.run().description();
-        let at = line.rest(crossing.value)?;
-        let n = state.len();
-        let scaled =
-            |jacobian: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| jacobian[(i, j)] * state[j].scale / state[i].scale);
+    /// A gear that has no equilibrium there.
+    pub fn of(family: &mut dyn Family, gear: &AtRest, crossing: &Crossing) -> Result<Option<Self>> {
+        let AtRest { rest, scales, low, high } = gear;
+        let at = rest(crossing.value)?;
+        let n = scales.len();
+        let scaled = |jacobian: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| jacobian[(i, j)] * scales[j] / scales[i]);
         let jacobian = scaled(&at.jacobian);
-        let rest: Vec<f64> = at.equilibrium.iter().zip(state).map(|(x, state)| x / state.scale).collect();
+        let equilibrium: Vec<f64> = at.equilibrium.iter().zip(scales).map(|(x, scale)| x / scale).collect();
         let turning = std::f64::consts::TAU * crossing.frequency;
         let mut right = null_vector(&jacobian, Complex::new(0.0, turning));
         // The first state where it takes part.
@@ -114,9 +121,10 @@ impl Hopf {
             return Ok(None);
         }
         // dλ/dp = ⟨left, J′ right⟩.
-        let aside = ALONG * line.width();
-        let (before, after) = ((crossing.value - aside).max(line.from()), (crossing.value + aside).min(line.to()));
-        let change = scaled(&(line.rest(after)?.jacobian - line.rest(before)?.jacobian));
+        let aside = ALONG * (high - low);
+        let (before, after) = ((crossing.value - aside).max(*low), (crossing.value + aside).min(*high));
+        let (before_it, after_it) = (rest(before)?.jacobian, rest(after)?.jacobian);
+        let change = scaled(&DMatrix::from_fn(n, n, |i, j| after_it[(i, j)] - before_it[(i, j)]));
         let growth = inner(&left, &times(&change, &right)).re / (after - before);
         let shape = [right.iter().map(|part| part.re).collect(), right.iter().map(|part| part.im).collect()];
         let mut hopf = Self {
@@ -125,7 +133,7 @@ impl Hopf {
             lyapunov: 0.0,
             growth,
             reach: 0.0,
-            rest,
+            rest: equilibrium,
             shape,
         };
         hopf.reach = hopf.reach(family);
@@ -216,7 +224,7 @@ impl Hopf {
     }
 
     /// The first cycle of the branch, and the way it goes on.
-    pub fn first(&self, family: &mut dyn Family, line: &Line) -> Option<(Solved, Chart, Vec<f64>)> {
+    pub fn first(&self, family: &mut dyn Family, low: f64, high: f64) -> Option<(Solved, Chart, Vec<f64>)> {
         let x = self.swing(FIRST, 0.0);
         family.vary(self.value).then_some(())?;
         let symmetric = norm(&self.rest) < 1e-12 && is_odd(family.flow(), &x);
@@ -225,18 +233,18 @@ impl Hopf {
             let way = sum(&[(1.0, &self.swing(amplitude, 0.0)), (-1.0, &self.rest)]);
             let size = norm(&way);
             let sign = if symmetric { -1.0 } else { 1.0 };
-            let chart = Chart { sign, size, low: line.from(), high: line.to() };
+            let chart = Chart { sign, size, low, high };
             let period = 1.0 / self.frequency;
             let time = if symmetric { 0.5 * period } else { period };
             // Where growth and what the amplitude makes of it cancel.
             let shift = -self.lyapunov * amplitude * amplitude / self.growth;
-            let value = if shift.abs() < 0.1 * line.width() { self.value + shift } else { self.value };
+            let value = if shift.abs() < 0.1 * (high - low) { self.value + shift } else { self.value };
             let x = self.swing(amplitude, 0.0);
             let border: Vec<f64> = way.iter().map(|part| part / size).chain([0.0, 0.0]).collect();
             family.flow().pace(period);
-            let place = Place { x, time, value: value.max(line.from()).min(line.to()) };
+            let place = Place { x, time, value: value.max(low).min(high) };
             if let Some(solved) = correct(family, &chart, &place, &border)
-                && (line.from()..=line.to()).contains(&solved.place.value)
+                && (low..=high).contains(&solved.place.value)
             {
                 return Some((solved, chart, border));
             }
@@ -261,7 +269,7 @@ impl Hopf {
 }
 
 /// A vector that a matrix, less `shift` on its diagonal, makes nothing of.
-fn null_vector(matrix: &DMatrix<f64>, shift: Complex<f64>) -> Vec<Complex<f64>> {
+pub(super) fn null_vector(matrix: &DMatrix<f64>, shift: Complex<f64>) -> Vec<Complex<f64>> {
     let n = matrix.nrows();
     let size = matrix.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
     let mut vector: Vec<Complex<f64>> = (0..n).map(|i| Complex::new(1.0, 0.1 * i as f64)).collect();

@@ -71,11 +71,7 @@ impl Line {
     /// # Errors
     /// A value that makes another one invalid that is linked to it.
     pub fn run_at(&self, value: f64) -> Result<Run> {
-        let table = self.run.description().parameters;
-        let changed = table.iter().zip(self.values(value)).zip(self.run.parameters());
-        changed
-            .filter(|((_, new), old)| new != *old)
-            .try_fold(self.run.clone(), |run, ((parameter, new), _)| run.with(parameter.name, new))
+        self.run.clone().with_values(&self.values(value))
     }
 
     /// The gear at rest at a value of the parameter.

@@ -7,6 +7,8 @@
 //! between two cycles, located there ([`special`]).
 
 mod family;
+mod fold;
+mod folds;
 mod hopf;
 mod line;
 mod newton;
@@ -15,23 +17,27 @@ mod spec;
 mod special;
 mod walk;
 
-use std::sync::Arc;
+#[cfg(test)]
+mod tests;
+
+use std::rc::Rc;
 
 use self::{
-    family::{Family, family},
-    hopf::Hopf,
+    family::{Family, RunAt, family},
+    hopf::{AtRest, Hopf},
     line::Line,
     newton::{Chart, Place, correct},
     walk::{Limits, Stop, Walk},
 };
 pub use self::{
+    folds::{FoldCurve, FoldCurves, FoldSpec},
     hopf::{Criticality, Told},
     rest::RestBranch,
     spec::BifurcationSpec,
     special::PointKind,
     walk::{BranchEnd, CyclePoint},
 };
-use super::shooting::{self, Periodic};
+use super::shooting::{self, Periodic, dot, norm};
 use crate::{
     error::{Code, Error, Result, shown},
     few::sort_few,
@@ -53,6 +59,15 @@ const KNOWN: f64 = 0.02;
 const DYING: f64 = 0.05;
 const SAME_FREQUENCY: f64 = 0.03;
 const SAME_VALUE: f64 = 0.02;
+
+/// Whether a point lies on the straight way between two others, or nearly so.
+fn passes(from: &[f64], to: &[f64], point: &[f64], near: f64) -> bool {
+    let way = |to: &[f64]| -> Vec<f64> { to.iter().zip(from).map(|(to, from)| to - from).collect() };
+    let (step, home) = (way(to), way(point));
+    let along = dot(&step, &home) / dot(&step, &step);
+    let aside: Vec<f64> = step.iter().zip(&home).map(|(step, home)| home - along * step).collect();
+    (0.0..=1.0).contains(&along) && norm(&aside) < near
+}
 
 /// A branch of cycles.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,7 +136,7 @@ struct Birth {
 /// A bifurcation diagram, as far as it has been made.
 pub struct Bifurcation {
     spec: BifurcationSpec,
-    line: Arc<Line>,
+    line: Rc<Line>,
     family: Box<dyn Family>,
     rest: RestBranch,
     crossings: Vec<f64>,
@@ -141,8 +156,10 @@ impl BifurcationSpec {
     /// An unknown parameter, ends that are not valid for it or the same, a guess outside of the range; parameters so extreme
     /// that the equations leave the numbers.
     pub fn begin(self) -> Result<Bifurcation> {
-        let line = Arc::new(Line::of(self.run.clone(), self.variation.clone())?);
-        let family = family(&line)?;
+        let line = Rc::new(Line::of(self.run.clone(), self.variation.clone())?);
+        let of = Rc::clone(&line);
+        let run_at: RunAt = Rc::new(move |value, _| of.run_at(value));
+        let family = family(&run_at, [line.from(), 0.0])?;
         if let Some((guess, value)) = &self.cycle {
             guess.clone().checked(&self.run).map_err(|error| error.within("cycle"))?;
             if !(line.from()..=line.to()).contains(value) {
@@ -288,7 +305,14 @@ impl Bifurcation {
         self.crossings.dedup();
         for crossing in crossings {
             if crossing.kind == CurveKind::Hopf {
-                let hopf = Hopf::of(&mut *self.family, &self.line, &crossing)?;
+                let line = &self.line;
+                let gear = AtRest {
+                    rest: &|value| line.rest(value),
+                    scales: self.states().iter().map(|state| state.scale).collect(),
+                    low: line.from(),
+                    high: line.to(),
+                };
+                let hopf = Hopf::of(&mut *self.family, &gear, &crossing)?;
                 self.tasks.push(Task::Hopf(self.births.len()));
                 self.births.push(Birth { hopf, crossing, branch: None });
             } else {
@@ -334,7 +358,7 @@ impl Bifurcation {
         if hopf.is_linear() {
             return Ok(());
         }
-        if let Some((solved, chart, ahead)) = hopf.first(&mut *self.family, &self.line) {
+        if let Some((solved, chart, ahead)) = hopf.first(&mut *self.family, self.line.from(), self.line.to()) {
             let start = Stop::of(&mut *self.family, &chart, solved, &ahead)?;
             self.trip = Some(Trip { walk: Walk::new(start, self.limits()), from: Origin::Hopf(birth), before: None });
         }

@@ -132,7 +132,7 @@ fn is_sound(family: &mut dyn Family, place: &Place) -> bool {
 
 impl Solved {
     /// The equations at a place, and where the motion from it arrives.
-    fn at(
+    pub fn at(
         family: &mut dyn Family,
         chart: &Chart,
         place: Place,
@@ -204,7 +204,8 @@ impl Solved {
     }
 }
 
-fn solution(rows: &DMatrix<f64>, side: &dyn Fn(usize) -> f64) -> Vec<f64> {
+/// The solution of linear equations.
+pub(super) fn solution(rows: &DMatrix<f64>, side: &dyn Fn(usize) -> f64) -> Vec<f64> {
     let side: Vec<Complex<f64>> = (0..rows.nrows()).map(|i| side(i).into()).collect();
     Triangle::of(rows, 0.0.into(), &side).solution(0.0).iter().map(|part| part.re).collect()
 }

@@ -188,7 +188,7 @@ impl Walk {
                 continue;
             };
             if fit.turn < LARGEST_TURN || fit.bend > BEND {
-                self.length *= (0.9 * (BEND / fit.bend).sqrt()).max(0.2).min(0.5);
+                self.length *= (0.9 * (BEND / fit.bend).sqrt()).clamp(0.2, 0.5);
                 continue;
             }
             self.length *= (0.9 * (BEND / fit.bend).sqrt()).min(2.0);
@@ -256,18 +256,11 @@ impl Walk {
     /// Whether the first cycle lies between the last and the next one.
     fn comes_back(&self, next: &Stop) -> bool {
         let (first, last) = (&self.stops[0], &self.stops[self.stops.len() - 1]);
-        let way = |from: &Stop, to: &Stop| {
-            let part = |a: f64, b: f64| b / a - 1.0;
-            [
-                (to.point.value - from.point.value) / first.chart.width(),
-                part(first.chart.size, first.chart.size + to.chart.size - from.chart.size),
-                part(first.point.period, first.point.period + to.point.period - from.point.period),
-            ]
+        let at = |stop: &Stop| {
+            let (size, period) = (stop.chart.size / first.chart.size, stop.point.period / first.point.period);
+            [stop.point.value / first.chart.width(), size, period]
         };
-        let (step, home) = (way(last, next), way(last, first));
-        let along = dot(&step, &home) / dot(&step, &step);
-        let aside: Vec<f64> = step.iter().zip(&home).map(|(step, home)| home - along * step).collect();
-        self.stops.len() > 4 && (0.0..=1.0).contains(&along) && norm(&aside) < CLOSED
+        self.stops.len() > 4 && super::passes(&at(last), &at(next), &at(first), CLOSED)
     }
 }
 

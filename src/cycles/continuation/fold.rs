@@ -1,0 +1,361 @@
+//! Curves in a plane of two parameters along which branches of cycles fold.
+
+use nalgebra::{Complex, DMatrix};
+
+use super::{
+    family::Family,
+    hopf::null_vector,
+    newton::{Chart, Place, Solved, solution},
+    walk::Stop,
+};
+use crate::{
+    cycles::shooting::{dot, norm},
+    error::Result,
+};
+
+/// A Newton step that is shorter ends the way.
+const ARRIVED: f64 = 1e-8;
+/// A step that cannot be bettered is the last where it is shorter than this.
+const ROUNDED: f64 = 1e-5;
+const LONGEST: f64 = 0.3;
+/// Most matrices on the way, and most steps with one.
+const MATRICES: usize = 4;
+const STEPS: usize = 6;
+const GAINING: f64 = 0.3;
+/// The way over which derivatives are taken.
+const ASIDE: f64 = 1e-5;
+/// The first step along a curve, the shortest, and the longest: in the plane, and in the cycle.
+const FIRST: f64 = 0.01;
+const SHORTEST: f64 = 1e-6;
+const LONGEST_STEP: f64 = 0.05;
+const LONGEST_CHANGE: f64 = 0.3;
+/// How far a curve may be from its tangent at the end of a step: a fourth of that from the straight line between its points.
+const BEND: f64 = 2e-3;
+const LARGEST_TURN: f64 = 0.8;
+/// A curve has come back where its first point is as near as this to a straight line between two of its last.
+const CLOSED: f64 = 2e-3;
+/// Most points of a curve.
+const MOST_POINTS: usize = 2_000;
+
+/// A cycle at a fold, and the second parameter.
+#[derive(Clone, Debug)]
+pub(super) struct Spot {
+    pub place: Place,
+    pub other: f64,
+}
+
+/// Units of a plane: of the first parameter in the chart, of the second its own range.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sheet {
+    pub chart: Chart,
+    pub low: f64,
+    pub high: f64,
+}
+
+impl Sheet {
+    fn ahead(&self, spot: &Spot, way: &[f64], part: f64) -> Spot {
+        let last = way.len() - 1;
+        Spot {
+            place: self.chart.ahead(&spot.place, way, part),
+            other: spot.other + part * way[last] * (self.high - self.low),
+        }
+    }
+
+    fn between(&self, from: &Spot, to: &Spot) -> Vec<f64> {
+        let mut way = self.chart.between(&from.place, &to.place);
+        way.push((to.other - from.other) / (self.high - self.low));
+        way
+    }
+
+    /// How far beyond its edges a spot is: the axis of the plane, and the edge that is passed first on a way there.
+    fn beyond(&self, from: &Spot, to: &Spot) -> Option<(usize, f64, f64)> {
+        let passed = |axis: usize, from: f64, to: f64, low: f64, high: f64| {
+            let edge = if to > high { high } else { low };
+            (to > high || to < low).then(|| (axis, edge, (edge - from) / (to - from)))
+        };
+        let across = passed(0, from.place.value, to.place.value, self.chart.low, self.chart.high);
+        let along = passed(1, from.other, to.other, self.low, self.high);
+        match (across, along) {
+            (Some(a), Some(b)) => Some(if a.2 < b.2 { a } else { b }),
+            (a, b) => a.or(b),
+        }
+    }
+}
+
+/// The equations of a fold around a spot: an arrival and a phase, as of any cycle, and that their derivatives with respect to
+/// start and time are singular.
+///
+/// # Equations
+/// With M = ∂(arrival, phase)/∂(x, T) and its null vectors b on the left and c on the right, kept from the spot before,
+/// [M b; cᵀ 0] (w, g) = (0, 1) has g = 0 exactly where M is singular, and g is as smooth as M.
+///
+/// # References
+/// W. J. F. Govaerts, *Numerical Methods for Bifurcations of Dynamical Equilibria*, 2000, chapter 3: bordered matrices.
+struct Equations {
+    from: Spot,
+    phase: Vec<f64>,
+    left: Vec<f64>,
+    right: Vec<f64>,
+}
+
+impl Equations {
+    fn around(family: &mut dyn Family, sheet: &Sheet, from: &Spot) -> Option<Self> {
+        family.aside(from.other);
+        family.vary(from.place.value).then_some(())?;
+        let phase = family.flow().rate(&from.place.x);
+        let mut equations = Self { from: from.clone(), phase, left: Vec::new(), right: Vec::new() };
+        let (matrix, _) = equations.matrix(family, sheet, from)?;
+        let null = |matrix: &DMatrix<f64>| -> Vec<f64> {
+            null_vector(matrix, Complex::from(0.0)).iter().map(|part| part.re).collect()
+        };
+        (equations.left, equations.right) = (null(&matrix.transpose()), null(&matrix));
+        Some(equations)
+    }
+
+    /// M, and the arrival's miss.
+    fn matrix(&self, family: &mut dyn Family, sheet: &Sheet, spot: &Spot) -> Option<(DMatrix<f64>, Vec<f64>)> {
+        let Chart { sign, size, .. } = sheet.chart;
+        let Place { x, time, value } = &spot.place;
+        let n = x.len();
+        family.aside(spot.other);
+        (*time > 0.0 && family.vary(*value)).then_some(())?;
+        let flow = family.flow();
+        let (end, matrix) = flow.carry(x, *time, true)?;
+        let arriving = flow.rate(&end);
+        let speed = norm(&self.phase);
+        let rows = DMatrix::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
+            (true, true) => matrix.at(i, j) - if i == j { sign } else { 0.0 },
+            (true, false) => arriving[i] * time / size,
+            (false, true) => self.phase[j] / speed,
+            (false, false) => 0.0,
+        });
+        Some((rows, (0..n).map(|i| (end[i] - sign * x[i]) / size).collect()))
+    }
+
+    /// By how much a spot misses a fold.
+    fn miss(&self, family: &mut dyn Family, sheet: &Sheet, spot: &Spot) -> Option<Vec<f64>> {
+        let (matrix, mut miss) = self.matrix(family, sheet, spot)?;
+        let n = miss.len();
+        let moved: Vec<f64> = spot.place.x.iter().zip(&self.from.place.x).map(|(x, from)| x - from).collect();
+        miss.push(dot(&self.phase, &moved) / (norm(&self.phase) * sheet.chart.size));
+        let bordered = DMatrix::from_fn(n + 2, n + 2, |i, j| match (i <= n, j <= n) {
+            (true, true) => matrix[(i, j)],
+            (true, false) => self.left[i],
+            (false, true) => self.right[j],
+            (false, false) => 0.0,
+        });
+        let solved = solution(&bordered, &|i| f64::from(u8::from(i == n + 1)));
+        miss.push(solved[n + 1]);
+        miss.iter().all(|part| part.is_finite()).then_some(miss)
+    }
+
+    /// The derivatives of the miss, with a last row that `border` is.
+    fn rows(&self, family: &mut dyn Family, sheet: &Sheet, spot: &Spot, border: &[f64]) -> Option<DMatrix<f64>> {
+        let last = border.len() - 1;
+        let here = self.miss(family, sheet, spot)?;
+        let mut rows = DMatrix::from_fn(last + 1, last + 1, |_, j| border[j]);
+        for j in 0..=last {
+            let mut way = vec![0.0; last + 1];
+            // Inwards from the edges, beyond which a parameter may mean nothing.
+            let inwards = match j + 1 {
+                _ if j + 2 == border.len() => spot.place.value + ASIDE * sheet.chart.width() > sheet.chart.high,
+                _ if j + 1 == border.len() => spot.other + ASIDE * (sheet.high - sheet.low) > sheet.high,
+                _ => false,
+            };
+            let aside = if inwards { -ASIDE } else { ASIDE };
+            way[j] = 1.0;
+            let there = self.miss(family, sheet, &sheet.ahead(spot, &way, aside))?;
+            (0..last).for_each(|i| rows[(i, j)] = (there[i] - here[i]) / aside);
+        }
+        Some(rows)
+    }
+
+    /// The fold near `guess` in the plane through it that `border` stands on, with the derivatives there.
+    fn correct(
+        &self,
+        family: &mut dyn Family,
+        sheet: &Sheet,
+        guess: &Spot,
+        border: &[f64],
+    ) -> Option<(Spot, DMatrix<f64>)> {
+        let mut spot = guess.clone();
+        let last = border.len() - 1;
+        for _ in 0..MATRICES {
+            let rows = self.rows(family, sheet, &spot, border)?;
+            let mut before = f64::INFINITY;
+            for _ in 0..STEPS {
+                let miss = self.miss(family, sheet, &spot)?;
+                let step = solution(&rows, &|i| if i < last { -miss[i] } else { 0.0 });
+                let long = norm(&step);
+                if long < ARRIVED || (long < ROUNDED && long > 0.5 * before) {
+                    return Some((spot, rows));
+                }
+                if long.is_nan() || long > LONGEST {
+                    return None;
+                }
+                if long > GAINING * before {
+                    break;
+                }
+                before = long;
+                spot = sheet.ahead(&spot, &step, 1.0);
+            }
+        }
+        None
+    }
+}
+
+/// A curve of folds on the way.
+pub(super) struct FoldWalk {
+    pub stops: Vec<(Stop, f64)>,
+    here: Spot,
+    tangent: Vec<f64>,
+    sheet: Sheet,
+    length: f64,
+}
+
+/// How a curve of folds ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FoldEnd {
+    Closed,
+    Edge,
+    Lost,
+}
+
+impl FoldWalk {
+    /// From a fold in the direction whose second parameter rises, or where `back` falls.
+    ///
+    /// # Errors
+    /// A motion or a matrix that leaves the numbers.
+    pub fn from(family: &mut dyn Family, sheet: &Sheet, seed: &Spot, back: bool) -> Result<Option<Self>> {
+        let n = seed.place.x.len();
+        let Some(equations) = Equations::around(family, sheet, seed) else { return Ok(None) };
+        let sense = if back { -1.0 } else { 1.0 };
+        // A first tangent: rows without a border, completed by either parameter.
+        let axis = |which: usize| -> Vec<f64> { (0..n + 3).map(|j| if j == which { sense } else { 0.0 }).collect() };
+        for border in [axis(n + 2), axis(n + 1)] {
+            if let Some((spot, rows)) = equations.correct(family, sheet, seed, &border)
+                && let Some(tangent) = tangent(rows, &border)
+            {
+                let Some((stop, size)) = stop(family, sheet, &spot, &equations.phase)? else { return Ok(None) };
+                let sheet = Sheet { chart: Chart { size, ..sheet.chart }, ..*sheet };
+                let stops = vec![(stop, spot.other)];
+                return Ok(Some(Self { stops, here: spot, tangent, sheet, length: FIRST }));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Takes a step; tells why where there is none to take, or the last was one.
+    ///
+    /// # Errors
+    /// A motion or a matrix that leaves the numbers.
+    pub fn advance(&mut self, family: &mut dyn Family) -> Result<Option<FoldEnd>> {
+        if self.stops.len() >= MOST_POINTS {
+            return Ok(Some(FoldEnd::Lost));
+        }
+        let n = self.here.place.x.len();
+        let plane = norm(&self.tangent[n + 1..]);
+        self.length = self.length.min(LONGEST_STEP / plane).min(LONGEST_CHANGE / norm(&self.tangent[..=n]));
+        let Some(equations) = Equations::around(family, &self.sheet, &self.here) else {
+            return Ok(Some(FoldEnd::Lost));
+        };
+        while self.length > SHORTEST {
+            let Some((spot, guess, rows, edge)) = self.next(family, &equations) else {
+                self.length *= 0.4;
+                continue;
+            };
+            let missed = self.sheet.between(&guess, &spot);
+            let bend = norm(&missed[n + 1..]).max(0.1 * norm(&missed[..=n])).max(1e-3 * BEND);
+            let Some(tangent) = tangent(rows, &self.tangent) else {
+                self.length *= 0.4;
+                continue;
+            };
+            let factor = 0.9 * (BEND / bend).sqrt();
+            if bend > BEND || dot(&tangent, &self.tangent) < LARGEST_TURN {
+                self.length *= factor.clamp(0.2, 0.5);
+                continue;
+            }
+            self.length *= factor.min(2.0);
+            let Some((stop, size)) = stop(family, &self.sheet, &spot, &equations.phase)? else { break };
+            let closed = !edge && self.comes_back(&stop, spot.other);
+            self.stops.push((stop, spot.other));
+            if closed {
+                return Ok(Some(FoldEnd::Closed));
+            }
+            // The way is measured by the cycle's size.
+            let mut tangent = tangent;
+            tangent[..n].iter_mut().for_each(|part| *part *= self.sheet.chart.size / size);
+            let long = norm(&tangent);
+            tangent.iter_mut().for_each(|part| *part /= long);
+            (self.here, self.tangent, self.sheet.chart.size) = (spot, tangent, size);
+            return Ok(edge.then_some(FoldEnd::Edge));
+        }
+        Ok(Some(FoldEnd::Lost))
+    }
+
+    /// The last cycle is less than this part of the largest.
+    pub fn has_shrunk(&self, part: f64) -> bool {
+        let size = |(stop, _): &(Stop, f64)| stop.chart.size;
+        self.sheet.chart.size < part * self.stops.iter().map(size).fold(0.0, f64::max)
+    }
+
+    /// The fold a step ahead, where it was guessed, the derivatives there, and whether it is on the plane's edge.
+    fn next(&self, family: &mut dyn Family, equations: &Equations) -> Option<(Spot, Spot, DMatrix<f64>, bool)> {
+        let Self { here, tangent, sheet, .. } = self;
+        let mut way = tangent.clone();
+        let mut part = self.length;
+        let mut end = sheet.beyond(here, &sheet.ahead(here, &way, part));
+        if end.is_none() {
+            let guess = sheet.ahead(here, tangent, self.length);
+            let (spot, rows) = equations.correct(family, sheet, &guess, tangent)?;
+            end = sheet.beyond(here, &spot);
+            if end.is_none() {
+                return Some((spot, guess, rows, false));
+            }
+            (way, part) = (sheet.between(here, &spot), 1.0);
+        }
+        let (axis, edge, share) = end?;
+        let mut guess = sheet.ahead(here, &way, part * share);
+        *(if axis == 0 { &mut guess.place.value } else { &mut guess.other }) = edge;
+        let n = here.place.x.len();
+        let border: Vec<f64> = (0..n + 3).map(|j| f64::from(u8::from(j == n + 1 + axis))).collect();
+        let (spot, mut rows) = equations.correct(family, sheet, &guess, &border)?;
+        sheet.beyond(here, &spot).is_none().then_some(())?;
+        (0..n + 3).for_each(|j| rows[(n + 2, j)] = tangent[j]);
+        Some((spot, guess, rows, true))
+    }
+
+    /// Whether the first fold lies between the last and the next one.
+    fn comes_back(&self, next: &Stop, other: f64) -> bool {
+        let chart = &self.sheet.chart;
+        let at = |stop: &Stop, other: f64| {
+            let size = (stop.chart.size / self.stops[0].0.chart.size).ln();
+            [stop.point.value / chart.width(), other / (self.sheet.high - self.sheet.low), size]
+        };
+        let of = |(stop, other): &(Stop, f64)| at(stop, *other);
+        let (first, last, next) = (of(&self.stops[0]), of(&self.stops[self.stops.len() - 1]), at(next, other));
+        self.stops.len() > 4 && super::passes(&last, &next, &first, CLOSED)
+    }
+}
+
+/// The way on, of length 1, along the border that the last row has.
+fn tangent(mut rows: DMatrix<f64>, border: &[f64]) -> Option<Vec<f64>> {
+    let last = border.len() - 1;
+    (0..=last).for_each(|j| rows[(last, j)] = border[j]);
+    let way = solution(&rows, &|i| f64::from(u8::from(i == last)));
+    let length = norm(&way);
+    length.is_finite().then(|| way.iter().map(|part| part / length).collect())
+}
+
+/// What there is to know of the cycle at a fold, and its size.
+fn stop(family: &mut dyn Family, sheet: &Sheet, spot: &Spot, phase: &[f64]) -> Result<Option<(Stop, f64)>> {
+    family.aside(spot.other);
+    let n = spot.place.x.len();
+    let border: Vec<f64> = (0..n + 2).map(|j| f64::from(u8::from(j == 0))).collect();
+    let Some((solved, _)) = Solved::at(family, &sheet.chart, spot.place.clone(), phase, &border) else {
+        return Ok(None);
+    };
+    let stop = Stop::of(family, &sheet.chart, solved, &border)?;
+    let size = stop.chart.size;
+    Ok(Some((stop, size)))
+}
