@@ -30,7 +30,9 @@ pub(super) struct Periodic {
     /// A state on it, in units of the typical sizes.
     pub x: Vec<f64>,
     pub period: f64,
-    /// By falling size, of a pair the positive imaginary part first.
+    /// The multiplier along it, which is 1 but for errors.
+    pub trivial: f64,
+    /// All, by falling size, of a pair the positive imaginary part first.
     pub multipliers: Vec<Complex<f64>>,
     /// All but the trivial one are within the unit circle.
     pub stable: bool,
@@ -141,7 +143,7 @@ fn solution(flow: &mut dyn Flow, from: &[f64], duration: f64, sign: f64) -> Resu
             let then = time * (1.0 + part * step[n]);
             if long < LAST {
                 let close = gap(&arrival.0, &x, sign) < CLOSE;
-                return if close { told(there, then, &arrival.1, sign) } else { Ok(None) };
+                return if close { told(there, then, (&arrival.1, &leaving), sign) } else { Ok(None) };
             }
             if let Some(next) = flow.carry(&there, then, true).filter(|next| asked(&next.0, &there).1 < long) {
                 (x, time, arrival) = (there, then, next);
@@ -150,7 +152,7 @@ fn solution(flow: &mut dyn Flow, from: &[f64], duration: f64, sign: f64) -> Resu
             part *= 0.5;
             if part < SHORTEST {
                 let close = long < ROUNDED && gap(&arrival.0, &x, sign) < CLOSE;
-                return if close { told(x, time, &arrival.1, sign) } else { Ok(None) };
+                return if close { told(x, time, (&arrival.1, &leaving), sign) } else { Ok(None) };
             }
         }
     }
@@ -158,27 +160,51 @@ fn solution(flow: &mut dyn Flow, from: &[f64], duration: f64, sign: f64) -> Resu
 }
 
 /// What the matrix of one round, or of half a round and its mirror, says.
-fn told(x: Vec<f64>, time: f64, matrix: &Square, sign: f64) -> Result<Option<Periodic>> {
+fn told(x: Vec<f64>, time: f64, (matrix, leaving): (&Square, &[f64]), sign: f64) -> Result<Option<Periodic>> {
     let n = x.len();
-    let mut multipliers = eigenvalues(&DMatrix::from_fn(n, n, |i, j| sign * matrix.at(i, j)))?;
     let symmetric = sign < 0.0;
+    let (trivial, mut others) = multipliers(&Square::of(n, &|i, j| sign * matrix.at(i, j)), leaving)?;
+    let trivial = if symmetric { trivial * trivial } else { trivial };
     if symmetric {
-        multipliers.iter_mut().for_each(|value| {
-            *value = Complex::new(value.re * value.re - value.im * value.im, 2.0 * value.re * value.im + 0.0)
-        });
+        others.iter_mut().for_each(|value| *value = squared(value));
     }
-    // They come by falling real part, and of a pair the positive one first; the sizes of a pair are the same.
-    sort_few(&mut multipliers, |a, b| a.norm_sqr() > b.norm_sqr());
-    let from_one = |value: &Complex<f64>| (value - 1.0).norm();
-    let trivial =
-        (0..n).fold(0, |best, i| if from_one(&multipliers[i]) < from_one(&multipliers[best]) { i } else { best });
-    let others = || multipliers.iter().enumerate().filter(|(i, _)| *i != trivial).map(|(_, value)| value);
-    if others().any(|value| from_one(value) < BESIDE) {
+    if others.iter().any(|value| (value - 1.0).norm() < BESIDE) {
         return Ok(None);
     }
-    let stable = others().all(|value| value.norm() < 1.0);
+    let stable = others.iter().all(|value| value.norm() < 1.0);
+    let mut multipliers = others;
+    multipliers.insert(0, trivial.into());
+    sort_few(&mut multipliers, |a, b| a.norm_sqr() > b.norm_sqr());
     let period = if symmetric { 2.0 * time } else { time };
-    Ok(Some(Periodic { x, period, multipliers, stable, symmetric }))
+    Ok(Some(Periodic { x, period, trivial, multipliers, stable, symmetric }))
+}
+
+/// A complex number's square, without a zero below zero.
+pub(super) fn squared(value: &Complex<f64>) -> Complex<f64> {
+    Complex::new(value.re * value.re - value.im * value.im, 2.0 * value.re * value.im + 0.0)
+}
+
+/// The multipliers of a matrix by which neighbours of a cycle are carried around, or halfway and mirrored back: that along the
+/// cycle, which leaves its start as `leaving` says and is 1 but for errors, and the others by falling size, of a pair the
+/// positive imaginary part first.
+///
+/// A reflection turns the first direction into that of the motion, which is carried into itself: what is left of the matrix
+/// beside it has the other multipliers alone, and keeps them apart from the first where they come near to it.
+///
+/// # Errors
+/// A matrix so extreme that its eigenvalues leave the numbers.
+pub(super) fn multipliers(matrix: &Square, leaving: &[f64]) -> Result<(f64, Vec<Complex<f64>>)> {
+    let n = leaving.len();
+    let speed = norm(leaving);
+    let mut normal: Vec<f64> = leaving.iter().map(|part| part / speed).collect();
+    normal[0] += 1.0_f64.copysign(normal[0]);
+    let scale = 2.0 / dot(&normal, &normal);
+    let mirror = Square::of(n, &|i, j| f64::from(u8::from(i == j)) - scale * normal[i] * normal[j]);
+    let turned = mirror.times(matrix).times(&mirror);
+    let mut others = eigenvalues(&DMatrix::from_fn(n - 1, n - 1, |i, j| turned.at(i + 1, j + 1)))?;
+    // They come by falling real part, and of a pair the positive one first; the sizes of a pair are the same.
+    sort_few(&mut others, |a, b| a.norm_sqr() > b.norm_sqr());
+    Ok((turned.at(0, 0), others))
 }
 
 #[cfg(test)]

@@ -3,10 +3,7 @@
 use std::rc::Rc;
 
 use crate::{
-    cycles::{
-        MOST_STEPS,
-        flow::{Carrier, Flow, RTOL},
-    },
+    cycles::flow::{Carrier, Flow, RTOL},
     error::Result,
     integrate::{Integrator, Method, Tolerance, failed},
     model::{Gear, Model, Tables},
@@ -15,10 +12,12 @@ use crate::{
     run::{Posed, Run},
 };
 
-/// Most steps in a period.
-const MOST_STEPS_A_PERIOD: u64 = 20_000;
-/// Relative tolerance of a motion that is followed to where it settles.
+/// Most steps in a period: what takes more is given up.
+const MOST_STEPS_A_PERIOD: u64 = 5_000;
+/// Relative tolerance of a motion that is followed to where it settles, and most of its steps: six seconds take some ten
+/// thousand.
 const SETTLING: f64 = 1e-8;
+const MOST_STEPS: u64 = 100_000;
 
 /// Motions by the value of a parameter; states in units of their typical sizes.
 pub(crate) trait Family {

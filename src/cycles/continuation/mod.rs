@@ -26,7 +26,7 @@ use self::{
     family::{Family, RunAt, family},
     hopf::{AtRest, Hopf},
     line::Line,
-    newton::{Chart, Place, correct},
+    newton::{Chart, Place},
     walk::{Limits, Stop, Walk},
 };
 pub use self::{
@@ -121,8 +121,8 @@ enum Task {
 struct Trip {
     walk: Walk,
     from: Origin,
-    /// The other way from the same cycle, where that is done.
-    before: Option<(Walk, BranchEnd)>,
+    /// The other way from the same cycle, where that is done: with its end, and the Hopf point where that is one.
+    before: Option<(Walk, BranchEnd, Option<usize>)>,
 }
 
 /// A Hopf point with the branch that is born there.
@@ -198,19 +198,17 @@ impl BifurcationSpec {
 }
 
 impl Bifurcation {
-    /// Makes some more of it: a cycle, a simulation, some values of rest.
+    /// Makes some more of it: a cycle, a simulation, some values of rest. A cycle that leaves the numbers ends its branch.
     ///
     /// # Errors
-    /// Values at which eigenvalues, a motion or a matrix leave the numbers; a gear that has no equilibrium there.
+    /// Values at which the eigenvalues leave the numbers; a gear that has no equilibrium there.
     pub fn advance(&mut self) -> Result<()> {
         if let Some(mut trip) = self.trip.take() {
-            let end = trip.walk.advance(&mut *self.family)?;
-            let end = match end {
-                Some(end) => Some((end, None)),
-                None => self.arrives(&trip).map(|birth| (BranchEnd::Hopf, Some(birth))),
-            };
-            match end {
-                Some((end, birth)) => self.ends(trip, end, birth)?,
+            let before = trip.walk.stops.len();
+            let end = trip.walk.advance(&mut *self.family).map(|end| (end, None));
+            let arrives = if trip.walk.stops.len() > before { self.arrives(&trip) } else { None };
+            match end.or(arrives.map(|birth| (BranchEnd::Hopf, Some(birth)))) {
+                Some((end, birth)) => self.ends(trip, end, birth),
                 None => self.trip = Some(trip),
             }
             return Ok(());
@@ -226,13 +224,13 @@ impl Bifurcation {
                 }
                 self.note_rest();
             }
-            Task::Hopf(birth) => self.set_out_from_hopf(birth)?,
+            Task::Hopf(birth) => self.set_out_from_hopf(birth),
             Task::Guess => {
                 if let Some((guess, value)) = self.spec.cycle.clone() {
                     let x = self.scaled(&guess.state);
                     self.vary(value, guess.period);
-                    if let Some(found) = shooting::periodic(self.family.flow(), &x, guess.period)? {
-                        self.set_out(found, value)?;
+                    if let Ok(Some(found)) = shooting::periodic(self.family.flow(), &x, guess.period) {
+                        self.set_out(found, value);
                     }
                 }
             }
@@ -353,16 +351,16 @@ impl Bifurcation {
     }
 
     /// Begins the branch that is born at a Hopf point, unless another one has come there.
-    fn set_out_from_hopf(&mut self, birth: usize) -> Result<()> {
-        let Birth { hopf: Some(hopf), branch: None, .. } = &self.births[birth] else { return Ok(()) };
+    fn set_out_from_hopf(&mut self, birth: usize) {
+        let Birth { hopf: Some(hopf), branch: None, .. } = &self.births[birth] else { return };
         if hopf.is_linear() {
-            return Ok(());
+            return;
         }
-        if let Some((solved, chart, ahead)) = hopf.first(&mut *self.family, self.line.from(), self.line.to()) {
-            let start = Stop::of(&mut *self.family, &chart, solved, &ahead)?;
+        if let Some((solved, chart, ahead)) = hopf.first(&mut *self.family, self.line.from(), self.line.to())
+            && let Ok(start) = Stop::of(&mut *self.family, &chart, solved, &ahead)
+        {
             self.trip = Some(Trip { walk: Walk::new(start, self.limits()), from: Origin::Hopf(birth), before: None });
         }
-        Ok(())
     }
 
     fn limits(&self) -> Limits {
@@ -388,28 +386,26 @@ impl Bifurcation {
         // A motion that leaves the numbers settles nowhere.
         let Ok(Some((x, between))) = self.family.settled(&x, HORIZON) else { return Ok(()) };
         self.family.flow().pace(between);
-        match super::settled(self.family.flow(), &x, between)? {
-            Some(found) => self.set_out(found, value),
-            None => Ok(()),
+        if let Ok(Some(found)) = super::settled(self.family.flow(), &x, between) {
+            self.set_out(found, value);
         }
+        Ok(())
     }
 
     /// Begins the branch through a cycle, unless it is known.
-    fn set_out(&mut self, found: Periodic, value: f64) -> Result<()> {
-        let swing = self.family.flow().swing(&found.x, found.period)?;
+    fn set_out(&mut self, found: Periodic, value: f64) {
+        let Ok(swing) = self.family.flow().swing(&found.x, found.period) else { return };
         if self.knows(value, swing.amplitude[0], found.period) {
-            return Ok(());
+            return;
         }
         let sign = if found.symmetric { -1.0 } else { 1.0 };
         let chart = Chart { sign, size: swing.size, low: self.line.from(), high: self.line.to() };
         let time = if found.symmetric { 0.5 * found.period } else { found.period };
         let along: Vec<f64> = (0..found.x.len() + 2).map(|j| f64::from(u8::from(j == found.x.len() + 1))).collect();
         let place = Place { x: found.x, time, value };
-        if let Some(solved) = correct(&mut *self.family, &chart, &place, &along) {
-            let start = Stop::of(&mut *self.family, &chart, solved, &along)?;
-            self.trip = Some(Trip { walk: Walk::new(start, self.limits()), from: Origin::Cycle, before: None });
-        }
-        Ok(())
+        let limits = self.limits();
+        let walk = Walk::at(&mut *self.family, &chart, &place, &along, limits).unwrap_or_default();
+        self.trip = walk.map(|walk| Trip { walk, from: Origin::Cycle, before: None });
     }
 
     /// Whether a branch has this cycle.
@@ -441,16 +437,16 @@ impl Bifurcation {
     }
 
     /// What is to be done where a branch ends.
-    fn ends(&mut self, trip: Trip, end: BranchEnd, birth: Option<usize>) -> Result<()> {
+    fn ends(&mut self, trip: Trip, end: BranchEnd, birth: Option<usize>) {
         if trip.from == Origin::Cycle && trip.before.is_none() && end != BranchEnd::Closed {
             // The other way from the same cycle; where it died there is none to come.
-            let back = Walk::new(trip.walk.stops[0].turned(), self.limits());
+            let back = trip.walk.turned();
             let index = self.cycles.len();
             if let Some(birth) = birth {
                 self.births[birth].branch = Some((index, true));
             }
-            self.trip = Some(Trip { walk: back, from: Origin::Cycle, before: Some((trip.walk, end)) });
-            return Ok(());
+            self.trip = Some(Trip { walk: back, from: Origin::Cycle, before: Some((trip.walk, end, birth)) });
+            return;
         }
         let index = self.cycles.len();
         let (branch, special) = self.branch(&trip, end, birth);
@@ -475,7 +471,6 @@ impl Bifurcation {
         }
         self.cycles.push(branch);
         self.tell_births(index);
-        Ok(())
     }
 
     /// Says of the Hopf points of a branch which way it goes from them.
@@ -510,7 +505,7 @@ impl Bifurcation {
                 [BranchEnd::Hopf, end]
             }
             (Origin::Cycle, None) => [if end == BranchEnd::Closed { end } else { BranchEnd::Points }, end],
-            (Origin::Cycle, Some((first, first_end))) => {
+            (Origin::Cycle, Some((first, first_end, first_birth))) => {
                 // Back from where this way ends to the first cycle, and on along the way before.
                 let last = all.len() - 1;
                 all.reverse();
@@ -518,6 +513,7 @@ impl Bifurcation {
                 special.reverse();
                 all.extend(points(first).into_iter().skip(1));
                 special.extend(first.special.iter().map(|(kind, place)| (*kind, last + place)));
+                all.extend(first_birth.map(|birth| self.born(birth)));
                 [end, *first_end]
             }
         };

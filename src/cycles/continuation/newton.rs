@@ -5,12 +5,11 @@ use nalgebra::{Complex, DMatrix};
 use super::family::Family;
 use crate::{
     cycles::{
-        shooting::{dot, norm},
+        shooting::{multipliers, norm},
         square::Square,
     },
     error::Result,
-    few::sort_few,
-    stability::{Triangle, eigenvalues},
+    stability::Triangle,
 };
 
 /// A Newton step that is shorter ends the way: what it would better is in the noise of the integration.
@@ -182,25 +181,12 @@ impl Solved {
         way.iter().map(|part| part / length).collect()
     }
 
-    /// The multipliers of one round, of half a round and its mirror where that is what was asked for: that along the cycle,
-    /// which is 1 but for errors, and the others by falling size, of a pair the positive imaginary part first.
-    ///
-    /// A reflection turns the first direction into that of the motion, which is carried into itself: what is left of the
-    /// matrix beside it has the other multipliers alone, and keeps them apart from the first where they come near to it.
+    /// The multipliers of one round, of half a round and its mirror where that is what was asked for: see [`multipliers`].
     ///
     /// # Errors
     /// A matrix so extreme that its eigenvalues leave the numbers.
     pub fn multipliers(&self) -> Result<(f64, Vec<Complex<f64>>)> {
-        let n = self.leaving.len();
-        let speed = norm(&self.leaving);
-        let mut normal: Vec<f64> = self.leaving.iter().map(|part| part / speed).collect();
-        normal[0] += 1.0_f64.copysign(normal[0]);
-        let scale = 2.0 / dot(&normal, &normal);
-        let mirror = Square::of(n, &|i, j| f64::from(u8::from(i == j)) - scale * normal[i] * normal[j]);
-        let turned = mirror.times(&self.matrix).times(&mirror);
-        let mut others = eigenvalues(&DMatrix::from_fn(n - 1, n - 1, |i, j| turned.at(i + 1, j + 1)))?;
-        sort_few(&mut others, |a, b| a.norm_sqr() > b.norm_sqr());
-        Ok((turned.at(0, 0), others))
+        multipliers(&self.matrix, &self.leaving)
     }
 }
 

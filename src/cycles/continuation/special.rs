@@ -126,7 +126,6 @@ fn located(family: &mut dyn Family, from: &Stop, to: &Stop, test: Test, toleranc
     let mut again = None;
     for _ in 0..MOST {
         let part = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
-        family.flow().pace(from.point.period);
         let Some(solved) = correct(family, chart, &chart.ahead(from.place(), &way, part), &border) else { break };
         let stop = Stop::of(family, chart, solved, &border)?;
         let value = test.of(&stop);

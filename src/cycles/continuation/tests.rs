@@ -130,7 +130,7 @@ fn walked(
 
 fn finished(family: &mut dyn Family, mut walk: Walk) -> (Walk, BranchEnd) {
     loop {
-        if let Some(end) = walk.advance(family).unwrap() {
+        if let Some(end) = walk.advance(family) {
             return (walk, end);
         }
     }

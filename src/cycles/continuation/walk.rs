@@ -9,8 +9,9 @@ use super::{
 };
 use crate::{
     cycles::{
+        FINEST, TRIVIAL,
         flow::Swing,
-        shooting::{dot, norm},
+        shooting::{dot, norm, squared},
     },
     error::Result,
 };
@@ -110,9 +111,8 @@ impl Stop {
         let period = place.time * if symmetric { 2.0 } else { 1.0 };
         family.vary(place.value);
         let flow = family.flow();
-        flow.pace(period);
         let Swing { amplitude, size, rise } = flow.swing(&place.x, period)?;
-        let whole = |half: &Complex<f64>| if symmetric { half * half } else { *half };
+        let whole = |half: &Complex<f64>| if symmetric { squared(half) } else { *half };
         let multipliers: Vec<_> = [Complex::from(trivial)].iter().chain(&halves).map(whole).collect();
         let unstable = multipliers[1..].iter().filter(|value| value.norm_sqr() > 1.0).count();
         let tangent = rescaled(solved.tangent(ahead), chart.size / size);
@@ -122,6 +122,11 @@ impl Stop {
 
     pub fn place(&self) -> &Place {
         &self.solved.place
+    }
+
+    /// Whether it is carried into itself as exactly as it should be.
+    fn is_sound(&self) -> bool {
+        (self.point.multipliers[0] - 1.0).norm() < TRIVIAL
     }
 
     /// The same cycle, from which the branch goes on the other way.
@@ -150,6 +155,8 @@ pub(super) struct Walk {
     /// The largest size and the shortest period so far.
     largest: f64,
     shortest: f64,
+    /// How many times finer than usual the motions are followed.
+    fineness: f64,
     limits: Limits,
 }
 
@@ -167,42 +174,77 @@ pub(super) struct Limits {
 impl Walk {
     pub fn new(start: Stop, limits: Limits) -> Self {
         let (largest, shortest) = (start.chart.size, start.point.period);
-        Self { stops: vec![start], special: Vec::new(), length: FIRST, largest, shortest, limits }
+        Self { stops: vec![start], special: Vec::new(), length: FIRST, largest, shortest, fineness: 1.0, limits }
     }
 
-    /// Takes a step; tells why where there is none to take, or the last was one.
+    /// The other way from the same cycle.
+    pub fn turned(&self) -> Self {
+        let begun = Self::new(self.stops[0].turned(), self.limits);
+        Self { fineness: self.fineness, ..begun }
+    }
+
+    /// From the cycle near a place, in the plane through it that `border` stands on.
     ///
     /// # Errors
     /// A motion or a matrix that leaves the numbers.
-    pub fn advance(&mut self, family: &mut dyn Family) -> Result<Option<BranchEnd>> {
+    pub fn at(
+        family: &mut dyn Family,
+        chart: &Chart,
+        place: &Place,
+        border: &[f64],
+        limits: Limits,
+    ) -> Result<Option<Self>> {
+        let period = place.time * if chart.sign < 0.0 { 2.0 } else { 1.0 };
+        let mut fineness = 1.0;
+        while fineness <= FINEST {
+            family.flow().pace(period / fineness);
+            let Some(solved) = correct(family, chart, place, border) else { return Ok(None) };
+            let start = Stop::of(family, chart, solved, border)?;
+            if start.is_sound() {
+                return Ok(Some(Self { fineness, ..Self::new(start, limits) }));
+            }
+            fineness *= 2.0;
+        }
+        Ok(None)
+    }
+
+    /// Tries a step, and a shorter one the next time where that leads nowhere; tells why where there is none to take, or the
+    /// last was one.
+    pub fn advance(&mut self, family: &mut dyn Family) -> Option<BranchEnd> {
         if self.stops.len() >= self.limits.points {
-            return Ok(Some(BranchEnd::Points));
+            return Some(BranchEnd::Points);
         }
         let here = self.stops[self.stops.len() - 1].clone();
         let n = here.place().x.len();
         let (swings, along) = (norm(&here.tangent[..=n]), here.tangent[n + 1].abs());
         self.length = self.length.min(LONGEST / swings).min(self.limits.step / along);
-        while self.length > SHORTEST {
-            let Some((next, fit)) = self.next(family, &here)? else {
-                self.length *= 0.4;
-                continue;
-            };
-            if fit.turn < LARGEST_TURN || fit.bend > BEND {
-                self.length *= (0.9 * (BEND / fit.bend).sqrt()).clamp(0.2, 0.5);
-                continue;
-            }
-            self.length *= (0.9 * (BEND / fit.bend).sqrt()).min(2.0);
-            for (kind, stop) in special::between(family, &here, &next, self.limits.tolerance)? {
-                self.special.push((kind, self.stops.len()));
-                self.stops.push(stop);
-            }
-            let end = if fit.edge { Some(BranchEnd::Range) } else { self.end(&next) };
-            self.largest = self.largest.max(next.chart.size);
-            self.shortest = self.shortest.min(next.point.period);
-            self.stops.push(next);
-            return Ok(end);
+        if self.length < SHORTEST {
+            return Some(BranchEnd::Lost);
         }
-        Ok(Some(BranchEnd::Lost))
+        // What leaves the numbers is no cycle.
+        let Ok(Some((next, fit))) = self.next(family, &here) else {
+            self.length *= 0.4;
+            return None;
+        };
+        if !next.is_sound() {
+            self.fineness *= 2.0;
+            return (self.fineness > FINEST).then_some(BranchEnd::Lost);
+        }
+        let factor = 0.9 * (BEND / fit.bend).sqrt();
+        if fit.turn < LARGEST_TURN || fit.bend > BEND {
+            self.length *= factor.clamp(0.2, 0.5);
+            return None;
+        }
+        self.length *= factor.min(2.0);
+        for (kind, stop) in special::between(family, &here, &next, self.limits.tolerance).unwrap_or_default() {
+            self.special.push((kind, self.stops.len()));
+            self.stops.push(stop);
+        }
+        let end = if fit.edge { Some(BranchEnd::Range) } else { self.end(&next) };
+        self.largest = self.largest.max(next.chart.size);
+        self.shortest = self.shortest.min(next.point.period);
+        self.stops.push(next);
+        end
     }
 
     /// The cycle a step ahead, at the end of the range where that is nearer.
@@ -210,7 +252,7 @@ impl Walk {
         let Stop { tangent, chart, .. } = here;
         let within = |place: &Place| (chart.low..=chart.high).contains(&place.value);
         let guess = chart.ahead(here.place(), tangent, self.length);
-        family.flow().pace(here.point.period);
+        family.flow().pace(here.point.period / self.fineness);
         let found = if within(&guess) { correct(family, chart, &guess, tangent) } else { None };
         let (solved, guess, edge) = match found {
             Some(solved) if within(&solved.place) => (solved, guess, false),
