@@ -252,7 +252,11 @@ impl Bifurcation {
         }
         // Of the first task the others are not known yet, and a branch is as long as it is.
         let known = self.tasks.len().max(4) as f64;
-        let way = self.trip.as_ref().map_or(0.0, |trip| trip.walk.stops.len() as f64 / self.spec.points as f64);
+        let way = self.trip.as_ref().map_or(0.0, |trip| {
+            let before = trip.before.as_ref().map_or(0, |_| self.spec.points);
+            let ways = if trip.from == Origin::Cycle { 2.0 } else { 1.0 };
+            (before + trip.walk.stops.len()) as f64 / (ways * self.spec.points as f64)
+        });
         let begun = if self.trip.is_some() { self.done.saturating_sub(1) } else { self.done };
         ((begun as f64 + 0.9 * way.min(1.0)) / known).min(0.99)
     }
