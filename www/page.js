@@ -10,6 +10,7 @@ import './stage/stage.js';
 import './story/strip.js';
 import { App } from './app.js';
 import { loadEngine } from './engine/engine.js';
+import { mapTiles, runJob } from './engine/workers.js';
 import { keep, recall } from './keep.js';
 import { shortcutOf } from './keys.js';
 import { lensElement } from './lens/elements.js';
@@ -33,6 +34,7 @@ const stillness = matchMedia('(prefers-reduced-motion: reduce)');
 export class Page extends LitElement {
   static properties = { said: { state: true }, address: { state: true } };
 
+  /** Long work beside the page. */ work = { runJob, mapTiles };
   #app = new App();
   #loop = new Loop(this.#app, this);
   #teller = new Teller();

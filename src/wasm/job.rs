@@ -50,49 +50,30 @@ trait Work {
     fn result(&self) -> Result<JsValue>;
 }
 
-impl Work for StabilityMap {
-    fn advance(&mut self) -> Result<()> {
-        self.advance()
-    }
-    fn done(&self) -> bool {
-        self.done()
-    }
-    fn fraction(&self) -> f64 {
-        self.fraction()
-    }
-    fn result(&self) -> Result<JsValue> {
-        output::stability_map(self)
-    }
+/// A kind of work, written down by the functions that do it.
+macro_rules! work {
+    ($($work:ty: $result:expr;)*) => {
+        $(impl Work for $work {
+            fn advance(&mut self) -> Result<()> {
+                self.advance()
+            }
+            fn done(&self) -> bool {
+                self.done()
+            }
+            fn fraction(&self) -> f64 {
+                self.fraction()
+            }
+            fn result(&self) -> Result<JsValue> {
+                $result(self)
+            }
+        })*
+    };
 }
 
-impl Work for Bifurcation {
-    fn advance(&mut self) -> Result<()> {
-        self.advance()
-    }
-    fn done(&self) -> bool {
-        self.done()
-    }
-    fn fraction(&self) -> f64 {
-        self.fraction()
-    }
-    fn result(&self) -> Result<JsValue> {
-        Ok(output::bifurcation(self))
-    }
-}
-
-impl Work for FoldCurves {
-    fn advance(&mut self) -> Result<()> {
-        self.advance()
-    }
-    fn done(&self) -> bool {
-        self.done()
-    }
-    fn fraction(&self) -> f64 {
-        self.fraction()
-    }
-    fn result(&self) -> Result<JsValue> {
-        Ok(list(self.curves(), output::fold_curve))
-    }
+work! {
+    StabilityMap: output::stability_map;
+    Bifurcation: |diagram| Ok(output::bifurcation(diagram));
+    FoldCurves: |curves: &Self| Ok(list(curves.curves(), output::fold_curve));
 }
 
 #[wasm_bindgen]
@@ -100,8 +81,8 @@ impl Job {
     /// The work of the function of this name, with what that is given.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "JobKind")] kind: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "MapSpec | BifurcationSpec | FoldSpec")] spec: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "keyof Jobs")] kind: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Jobs[keyof Jobs]['spec']")] spec: JsValue,
     ) -> std::result::Result<Job, JsValue> {
         let begin = || {
             let kind = input::text(&kind, "kind")?;
@@ -137,7 +118,7 @@ impl Job {
     }
 
     /// What is there so far: what the function of the job's name gives, its arrays no longer than that.
-    #[wasm_bindgen(unchecked_return_type = "JobResult")]
+    #[wasm_bindgen(unchecked_return_type = "Jobs[keyof Jobs]['part']")]
     pub fn result(&self) -> std::result::Result<JsValue, JsValue> {
         self.with(|work| work.result())
     }

@@ -318,10 +318,12 @@ export interface HopfCurve {
 }
 /** What a job has of a map: the cells so far. `stablePercent`: null before the first; `stableArea`: null before the last. */
 export type UnfinishedMap = Omit<StabilityMap, 'stablePercent' | 'stableArea'> & { stablePercent: number | null; stableArea: number | null };
-/** What a job can do: what the function of that name does, with the same spec. */
-export type JobKind = 'stabilityMap' | 'bifurcation' | 'foldCurve';
-/** What a job has so far, by its kind. */
-export type JobResult = UnfinishedMap | Bifurcation | FoldCurve[];
+/** The jobs by kind: what each is given, what it has on the way, what it gives in the end. */
+export interface Jobs {
+  stabilityMap: { spec: MapSpec; part: UnfinishedMap; result: StabilityMap };
+  bifurcation: { spec: BifurcationSpec; part: Bifurcation; result: Bifurcation };
+  foldCurve: { spec: FoldSpec; part: FoldCurve[]; result: FoldCurve[] };
+}
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }
 /** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + stored. (A friction element would have its own field.) */

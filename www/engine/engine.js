@@ -1,6 +1,6 @@
 /// <reference types="vite/client" />
 /**
- * Loads the WebAssembly module, once. The only file that imports it.
+ * Loads the WebAssembly module, once. The only file that imports it, beside the workers' own.
  *
  * @typedef {typeof import('../pkg/shimmy.js')} Engine
  * @typedef {import('../pkg/shimmy.js').Run} Run
@@ -17,16 +17,24 @@
 import init, * as engine from '../pkg/shimmy.js';
 import address from '../pkg/shimmy_bg.wasm?url';
 
+/** @type {Promise<WebAssembly.Module> | null} */
+let compiling = null;
 /** @type {Promise<Engine> | null} */
 let loading = null;
 
 /** @returns {Promise<Engine>} */
 export function loadEngine() {
-  loading ??= compile().then(async (module) => {
+  loading ??= compiledEngine().then(async (module) => {
     await init({ module_or_path: module });
     return engine;
   });
   return loading;
+}
+
+/** The module itself, compiled once for this page and all its workers. */
+export function compiledEngine() {
+  compiling ??= compile();
+  return compiling;
 }
 
 /** Compiles while the bytes arrive; a server that does not say `application/wasm` gets the slower way. */
