@@ -64,6 +64,7 @@ pub mod atlas;
 pub mod cycles;
 pub mod element;
 pub mod energy;
+pub mod ensemble;
 pub mod error;
 mod few;
 pub mod integrate;

@@ -1,19 +1,32 @@
 //! Numbers that right-hand sides and force laws are written for.
 //!
-//! One text of a model gives trajectories (`f64`) and exact Jacobians ([`Dual`]); nothing else in the crate is
-//! generic over its numbers.
+//! One text of a model gives trajectories (`f64`), exact Jacobians ([`Dual`]) and ensembles ([`crate::ensemble::Lanes`]);
+//! nothing else in the crate is generic over its numbers.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// What numbers and lanes of numbers have in common: arithmetic without a branch.
+pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// The nearest number in −`limit` … `limit`.
+    #[must_use]
+    fn clamped(self, limit: Self) -> Self;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn clamped(self, limit: Self) -> Self {
+        // Not f64::clamp, which asks first whether there is such a number.
+        let below = if limit < self { limit } else { self };
+        if below < -limit { -limit } else { below }
+    }
+}
 
 /// A number of a right-hand side: a value, or a value with its derivatives.
 ///
 /// Coefficients stay `f64`; states are `Real`. Comparisons use [`Real::value`], so that a branch never depends on a
 /// derivative.
 pub trait Real:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
+    Number
     + Div<Output = Self>
     + Neg<Output = Self>
     + Add<f64, Output = Self>
@@ -144,6 +157,18 @@ impl<const D: usize> Mul<f64> for Dual<D> {
     }
 }
 
+impl<const D: usize> Number for Dual<D> {
+    fn clamped(self, limit: Self) -> Self {
+        if self.value > limit.value {
+            limit
+        } else if self.value < -limit.value {
+            -limit
+        } else {
+            self
+        }
+    }
+}
+
 impl<const D: usize> Real for Dual<D> {
     fn value(self) -> f64 {
         self.value
@@ -174,6 +199,15 @@ mod tests {
             let difference = (every_operation(x + h) - every_operation(x - h)) / (2.0 * h);
             assert_eq!(dual.value, every_operation(x));
             assert!((dual.slope[0] - difference).abs() < 1e-9, "{x}: {} {difference}", dual.slope[0]);
+        }
+    }
+
+    #[test]
+    fn beyond_a_limit_is_the_limit() {
+        let x = |value| Dual::<1>::variable(value, 0);
+        for (value, clamped, slope) in [(3.0, 2.0, 0.0), (-3.0, -2.0, 0.0), (1.5, 1.5, 1.0), (-2.0, -2.0, 1.0)] {
+            assert_eq!(value.clamped(2.0), clamped);
+            assert_eq!(x(value).clamped(Dual::from(2.0)), Dual { value: clamped, slope: [slope] });
         }
     }
 

@@ -47,6 +47,12 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
     /// `function` must be odd, and analytic on the range; `size` is the size of its terms per unit of x, over all of the
     /// range: the error is measured by it.
     pub fn fit(range: f64, size: f64, function: impl Fn(f64) -> f64) -> Self {
+        Self::fit_within(range, 4.0 * f64::EPSILON * size * range, &function)
+    }
+
+    /// As [`OddPolynomial::fit`], with an error of at most `tolerance`.
+    #[inline(never)]
+    pub fn fit_within(range: f64, tolerance: f64, function: &dyn Fn(f64) -> f64) -> Self {
         let to_unit = 1.0 / range;
         if !(range > 0.0 && range.is_finite() && to_unit.is_finite()) {
             return Self::none();
@@ -65,7 +71,7 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
         // A series that converges falls from term to term: the first few cut off stand for all. (Rounding leaves about
         // ε/2 in each.)
         let cut_off: f64 = chebyshev[TERMS..TERMS + 4].iter().map(|c| c.abs()).sum();
-        let proven = cut_off <= 4.0 * f64::EPSILON * size * range;
+        let proven = cut_off <= tolerance;
         if proven { Self { coefficients: to_powers(&chebyshev), to_unit, range } } else { Self::none() }
     }
 
@@ -77,6 +83,17 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
         }
         let s = x * self.to_unit;
         s * estrin(&self.coefficients, s * s)
+    }
+
+    /// The coefficients of x, x³, x⁵ …; none where the polynomial does not serve.
+    pub fn powers(&self) -> Option<[f64; TERMS]> {
+        let mut scale = self.to_unit;
+        let powers = self.coefficients.map(|coefficient| {
+            let power = coefficient * scale;
+            scale *= self.to_unit * self.to_unit;
+            power
+        });
+        (self.range > 0.0 && powers.iter().all(|power| power.is_finite())).then_some(powers)
     }
 
     /// Largest |x| for which the polynomial serves; 0 where it never does.

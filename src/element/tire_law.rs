@@ -9,6 +9,13 @@ use crate::real::Real;
 /// located. A step is at most a third of a swing.
 const OVERSHOOT: [f64; 3] = [2.2, 1.6, 1.2];
 
+/// Terms of the polynomials in an ensemble, of the side force and of the aligning moment.
+pub(crate) const CASTING_TERMS: usize = 3;
+/// See [`CASTING_TERMS`].
+pub(crate) const ALIGNING_TERMS: usize = 6;
+/// How far these may be from the laws, in parts of the moment at a limit: what a step of an ensemble leaves open, too.
+const ENSEMBLE_ERROR: f64 = 1e-6;
+
 /// The piecewise law of a stretched-string tire.
 ///
 /// # Equations
@@ -225,6 +232,28 @@ impl SteeringMoment {
     #[inline(always)]
     pub fn constant(&self, sides: u32) -> f64 {
         self.pieces[(sides & 15) as usize].constant
+    }
+
+    /// The same moment as the sum of two odd polynomials: of the side force in y clamped to ±its limit, of the aligning moment
+    /// in y clamped to ±its own. The limits \[m\] and both polynomials' coefficients of y, y³, y⁵ …; none where they do not
+    /// serve. `limits`: of the slip ratio.
+    pub(crate) fn clamped(
+        &self,
+        slip_ratio: f64,
+        limits: [f64; 2],
+    ) -> Option<([f64; 2], [f64; CASTING_TERMS], [f64; ALIGNING_TERMS])> {
+        let TireLaw::Piecewise(law) = self.law else { return None };
+        let [force_limit, moment_limit] = limits.map(|limit| limit / slip_ratio);
+        let casting = |y: f64| -self.mobility * self.caster_length * law.side_force(y * slip_ratio, Side::Within);
+        let aligning = |y: f64| self.mobility * law.aligning_moment(y * slip_ratio, Side::Within);
+        let largest = |stiffness: f64, angle: f64| ENSEMBLE_ERROR * self.mobility * stiffness * angle;
+        let force_error = largest((self.caster_length * law.side_force_stiffness).abs(), law.side_force_limit_angle);
+        let moment_error = largest(law.aligning_stiffness, law.aligning_limit_angle / PI);
+        Some((
+            [force_limit, moment_limit],
+            OddPolynomial::fit_within(force_limit, force_error, &casting).powers()?,
+            OddPolynomial::fit_within(moment_limit, moment_error, &aligning).powers()?,
+        ))
     }
 
     /// The curve as the law writes it.

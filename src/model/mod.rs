@@ -10,7 +10,7 @@ pub mod torsional;
 pub mod torsional_linear;
 
 pub use system::{Gear, Mode, Model, System, Tables};
-pub use torsional::Torsional;
+pub use torsional::{Laned, Prepared, Torsional};
 pub use torsional_linear::TorsionalLinear;
 
 use serde::Serialize;
@@ -36,6 +36,9 @@ pub struct Description {
     /// See [`Model::laws`].
     #[serde(skip)]
     pub(crate) laws: fn(&[f64]) -> Option<Laws>,
+    /// See [`Model::prepared`].
+    #[serde(skip)]
+    pub(crate) prepared: fn(&[f64]) -> Option<Prepared>,
     /// See [`Model::linear_theory`].
     #[serde(skip)]
     pub(crate) linear_theory: fn(&[Polynomial]) -> Option<TorsionalTheory>,
@@ -59,6 +62,7 @@ impl Description {
             parameters: M::PARAMETERS,
             state: M::STATE,
             laws: M::laws,
+            prepared: M::prepared,
             linear_theory: M::linear_theory,
             number_theory: M::linear_theory,
             plane_theory: M::linear_theory,

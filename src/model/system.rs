@@ -1,6 +1,6 @@
 //! What a model offers to an integrator.
 
-use super::{Description, laws::Laws};
+use super::{Description, laws::Laws, torsional::Prepared};
 use crate::{
     parameter::{Parameter, StateVariable},
     real::{Dual, Real},
@@ -118,6 +118,12 @@ pub trait Model<const N: usize>: 'static {
 
     /// Its force laws one by one, for checked parameter values in table order; none where it has no such laws.
     fn laws(values: &[f64]) -> Option<Laws> {
+        let _ = values;
+        None
+    }
+
+    /// Made ready for an ensemble, for checked parameter values in table order; none where each motion is followed by itself.
+    fn prepared(values: &[f64]) -> Option<Prepared> {
         let _ = values;
         None
     }

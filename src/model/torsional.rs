@@ -1,9 +1,11 @@
 //! The torsional nose landing gear on a stretched-string tire.
 
+mod lanes;
 mod tables;
 
 use std::ops::Mul;
 
+pub use self::lanes::{Laned, Prepared};
 pub(super) use self::tables::{PARAMETERS, STATE};
 use super::{Gear, Mode, Model, System, laws::Laws};
 use crate::{
@@ -13,7 +15,7 @@ use crate::{
         tire_law::{PiecewiseTireLaw, SteeringMoment, TireLaw},
     },
     parameter::{Parameter, StateVariable},
-    real::Real,
+    real::{Number, Real},
     stability::{Ring, TorsionalTheory},
 };
 
@@ -72,24 +74,42 @@ const FREEPLAY: usize = 2;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Torsional {
-    velocity: f64,
-    /// e − a
-    lever: f64,
-    /// v/σ
-    relaxation_rate: f64,
+    motion: Motion<f64>,
     /// 1/σ
     slip_ratio: f64,
     stiffness: f64,
     /// 1/I_z
     mobility: f64,
-    /// (c + κ/v)/I_z
-    damping: f64,
     /// k s(ψ)/I_z
     spring: Spring,
     /// tan δ and tan α_g
     limits: [f64; 2],
     /// (M_z − e F_y)/I_z
     tire: SteeringMoment,
+}
+
+/// The equations of motion, whatever gives the forces: of one gear, or of one in each lane.
+#[derive(Clone, Copy, Debug)]
+struct Motion<C> {
+    velocity: C,
+    /// e − a
+    lever: C,
+    /// v/σ
+    relaxation_rate: C,
+    /// (c + κ/v)/I_z
+    damping: C,
+}
+
+impl<C: Copy> Motion<C> {
+    /// The rate of the state, with the moments over I_z of the spring and of the tire, which is added last, as it takes
+    /// longest to come.
+    #[inline(always)]
+    fn rate<R: Number + Mul<C, Output = R>>(&self, x: &[R; 3], spring: R, tire: R) -> [R; 3] {
+        let [psi, psi_rate, y] = *x;
+        let psi_acceleration = tire - (spring + psi_rate * self.damping);
+        let y_rate = psi * self.velocity + psi_rate * self.lever - y * self.relaxation_rate;
+        [psi_rate, psi_acceleration, y_rate]
+    }
 }
 
 impl Torsional {
@@ -105,12 +125,14 @@ impl Torsional {
     pub fn rolling(laws: &Laws, velocity: f64, half_contact_length: f64) -> Self {
         let Laws { relaxation_length, moment_of_inertia, .. } = *laws;
         Self {
-            velocity,
-            lever: laws.caster_length - half_contact_length,
-            relaxation_rate: velocity / relaxation_length,
+            motion: Motion {
+                velocity,
+                lever: laws.caster_length - half_contact_length,
+                relaxation_rate: velocity / relaxation_length,
+                damping: (laws.damping + laws.tread_damping) / moment_of_inertia,
+            },
             slip_ratio: 1.0 / relaxation_length,
             mobility: 1.0 / moment_of_inertia,
-            damping: (laws.damping + laws.tread_damping) / moment_of_inertia,
             stiffness: laws.stiffness,
             spring: Spring::new(laws.stiffness / moment_of_inertia, laws.freeplay),
             limits: [laws.tire.side_force_limit(), laws.tire.aligning_limit()],
@@ -125,14 +147,10 @@ impl System<3> for Torsional {
 
     #[inline(always)]
     fn rate<R: Real>(&self, _t: R, mode: Mode, x: &[R; 3]) -> [R; 3] {
-        let [psi, psi_rate, y] = *x;
-        // All moments over I_z. The tire's is added last, as it takes longest to come.
-        let spring = self.spring.torque(psi, mode.sides(FREEPLAY));
+        // All moments over I_z. A side force at its limit is constant: it is there as early as the spring's.
         let limited = self.tire.constant(mode.sides(SIDE_FORCE));
-        let psi_acceleration =
-            -(spring + psi_rate * self.damping - limited) + self.tire.curve(y, mode.sides(SIDE_FORCE));
-        let y_rate = psi * self.velocity + psi_rate * self.lever - y * self.relaxation_rate;
-        [psi_rate, psi_acceleration, y_rate]
+        let spring = self.spring.torque(x[PSI], mode.sides(FREEPLAY)) - limited;
+        self.motion.rate(x, spring, self.tire.curve(x[Y], mode.sides(SIDE_FORCE)))
     }
 
     fn mode(&self, t: f64, x: &[f64; 3]) -> Mode {
@@ -217,6 +235,10 @@ impl Model<3> for Torsional {
             tread_damping: kappa / v,
             moment_of_inertia: i_z,
         })
+    }
+
+    fn prepared(values: &[f64]) -> Option<Prepared> {
+        Prepared::of(&Self::new(values))
     }
 
     fn linear_theory<T: Ring>(values: &[T]) -> Option<TorsionalTheory<T>> {

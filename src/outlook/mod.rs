@@ -17,7 +17,7 @@ use crate::{
 /// How far ahead one looks where the run does not say, in s.
 pub(crate) const HORIZON: f64 = 6.0;
 /// Swings beyond this leave the range of the kinematics (vψ for v sin ψ), in rad.
-const TRUSTED: f64 = 0.5;
+pub(crate) const TRUSTED: f64 = 0.5;
 /// Points of the orbit.
 const ORBIT: usize = 128;
 

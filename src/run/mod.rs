@@ -200,6 +200,12 @@ impl Run {
         }
     }
 
+    /// The same with other values of all parameters, in table order and valid, from another state and for `duration` s.
+    pub(crate) fn placed(&self, parameters: &[f64], initial: &[f64], duration: f64) -> Self {
+        let (parameters, initial) = (parameters.to_vec(), initial.to_vec());
+        Self { parameters, initial, duration: Some(duration), output: Output::Steps, ..self.clone() }
+    }
+
     /// How far an outlook sees, in s.
     pub(crate) fn horizon(&self) -> f64 {
         self.duration.unwrap_or(HORIZON)

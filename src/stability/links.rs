@@ -19,7 +19,7 @@ pub struct Links {
 
 impl Links {
     /// Reads the field `linked: {relaxationLength, treadWidthMomentConstant}`.
-    pub(super) fn read(fields: &Fields) -> Result<Self> {
+    pub(crate) fn read(fields: &Fields) -> Result<Self> {
         let Some(linked) = fields.value("linked") else { return Ok(Self::default()) };
         let linked = Fields::of("linked", linked, &["relaxationLength", "treadWidthMomentConstant"])?;
         let truth = |key: &str| Ok(linked.truth(key).map_err(|error: Error| error.within("linked"))?.unwrap_or(false));
@@ -33,7 +33,7 @@ impl Links {
     ///
     /// # Errors
     /// The link, by its name.
-    pub(super) fn check(self, varying: &[&str]) -> Result<()> {
+    pub(crate) fn check(self, varying: &[&str]) -> Result<()> {
         for (linked, name, leaders) in [
             (self.relaxation_length, "relaxationLength", &["halfContactLength"][..]),
             (
@@ -51,7 +51,7 @@ impl Links {
     }
 
     /// Lets what is linked to the parameters that vary follow them; what varies itself follows nothing.
-    pub(super) fn follow<T: Ring>(self, table: &[Parameter], values: &mut [T], varying: &[&str]) {
+    pub(crate) fn follow<T: Ring>(self, table: &[Parameter], values: &mut [T], varying: &[&str]) {
         let Some(([a, c_f_alpha, f_z, sigma, kappa], [sigma_follows, kappa_follows])) = self.at_work(table, varying)
         else {
             return;

@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 
 use crate::error::{Error, Result};
 use rows::Rows;
+pub(crate) use spec::whole;
 pub use spec::{MOST_CELLS, MapSpec, Quantities, Tile};
 
 impl MapSpec {

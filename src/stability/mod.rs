@@ -22,7 +22,7 @@ mod links;
 mod map;
 mod plane;
 mod polynomial;
-mod range;
+pub(crate) mod range;
 mod routh;
 mod torsional;
 mod variation;
@@ -33,6 +33,7 @@ pub(crate) use self::{
     crossings::crossings,
     elimination::Triangle,
     linearisation::{at_rest, linearised},
+    map::whole,
 };
 pub use self::{
     characteristic::characteristic_polynomial,

@@ -10,7 +10,7 @@ use crate::{
 ///
 /// # Errors
 /// One that is missing, or not a name or a finite number.
-pub(super) fn read<'a>(fields: &Fields<'a>) -> Result<(&'a str, [f64; 2])> {
+pub(crate) fn read<'a>(fields: &Fields<'a>) -> Result<(&'a str, [f64; 2])> {
     let parameter = fields.text("parameter")?.ok_or_else(|| Error::missing("parameter", "the name of a parameter"))?;
     let end = |key| fields.number(key, "a finite number")?.ok_or_else(|| Error::missing(key, "a number"));
     Ok((parameter, [end("from")?, end("to")?]))
@@ -20,7 +20,7 @@ pub(super) fn read<'a>(fields: &Fields<'a>) -> Result<(&'a str, [f64; 2])> {
 ///
 /// # Errors
 /// An unknown parameter, an end that is not valid.
-pub(super) fn check(table: &[Parameter], parameter: &str, ends: [f64; 2]) -> Result<usize> {
+pub(crate) fn check(table: &[Parameter], parameter: &str, ends: [f64; 2]) -> Result<usize> {
     let index =
         parameter_index(table, parameter).map_err(|error| error.of_kind(Code::UnknownName).called("parameter"))?;
     for (field, value) in ["from", "to"].into_iter().zip(ends) {

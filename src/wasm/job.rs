@@ -11,36 +11,15 @@ use super::{
 };
 use crate::{
     cycles::{Bifurcation, BifurcationSpec, FoldCurves, FoldSpec},
+    ensemble::{Basins, BasinsSpec, Sweep, SweepSpec},
     error::{Code, Error, Result, shown},
     run::Value,
     stability::{MapSpec, StabilityMap},
 };
 
-/// A kind of jobs.
-struct Kind {
-    name: &'static str,
-    /// What errors call what it is given.
-    spec: &'static str,
-    begin: fn(&Value) -> Result<Box<dyn Work>>,
-}
-
-const KINDS: [Kind; 3] = [
-    Kind { name: "stabilityMap", spec: "map", begin: |spec| Ok(Box::new(MapSpec::read(spec)?.begin())) },
-    Kind {
-        name: "bifurcation",
-        spec: "bifurcation",
-        begin: |spec| Ok(Box::new(BifurcationSpec::read(spec)?.begin()?)),
-    },
-    Kind { name: "foldCurve", spec: "plane", begin: |spec| Ok(Box::new(FoldSpec::read(spec)?.begin()?)) },
-];
-
-/// Work that is done bit by bit.
-#[wasm_bindgen]
-pub struct Job(RefCell<Box<dyn Work>>);
-
-/// What a job does.
+/// What is done bit by bit.
 trait Work {
-    /// Does the least that makes sense.
+    /// Does some more of it: a fraction of a millisecond.
     fn advance(&mut self) -> Result<()>;
     /// Nothing is left to do.
     fn done(&self) -> bool;
@@ -74,7 +53,33 @@ work! {
     StabilityMap: output::stability_map;
     Bifurcation: |diagram| Ok(output::bifurcation(diagram));
     FoldCurves: |curves: &Self| Ok(list(curves.curves(), output::fold_curve));
+    Basins: |basins| Ok(output::basins(basins));
+    Sweep: |sweep| Ok(output::sweep(sweep));
 }
+
+/// A kind of jobs.
+struct Kind {
+    name: &'static str,
+    /// What errors call what it is given.
+    spec: &'static str,
+    begin: fn(&Value) -> Result<Box<dyn Work>>,
+}
+
+const KINDS: [Kind; 5] = [
+    Kind { name: "stabilityMap", spec: "map", begin: |spec| Ok(Box::new(MapSpec::read(spec)?.begin())) },
+    Kind {
+        name: "bifurcation",
+        spec: "bifurcation",
+        begin: |spec| Ok(Box::new(BifurcationSpec::read(spec)?.begin()?)),
+    },
+    Kind { name: "foldCurve", spec: "plane", begin: |spec| Ok(Box::new(FoldSpec::read(spec)?.begin()?)) },
+    Kind { name: "basins", spec: "basins", begin: |spec| Ok(Box::new(BasinsSpec::read(spec)?.begin())) },
+    Kind { name: "sweep", spec: "sweep", begin: |spec| Ok(Box::new(SweepSpec::read(spec)?.begin())) },
+];
+
+/// Work that is done bit by bit.
+#[wasm_bindgen]
+pub struct Job(RefCell<Box<dyn Work>>);
 
 #[wasm_bindgen]
 impl Job {
@@ -126,6 +131,6 @@ impl Job {
 
 impl Job {
     fn with(&self, call: impl FnOnce(&mut dyn Work) -> Result<JsValue>) -> std::result::Result<JsValue, JsValue> {
-        call_into(&self.0, "job", |work| call(&mut **work))
+        call_into(&self.0, "job", |work| call(work.as_mut()))
     }
 }

@@ -6,6 +6,7 @@
 
 mod cycles;
 pub(crate) mod digits;
+mod ensemble;
 mod input;
 mod job;
 mod linear;
@@ -15,6 +16,7 @@ mod record;
 mod simulator;
 
 pub use cycles::{bifurcation, describing_function, fold_curve, limit_cycle};
+pub use ensemble::{basins, sweep};
 pub use job::Job;
 pub use linear::{
     characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, jacobian, routh_array, routh_hurwitz,

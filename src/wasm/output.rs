@@ -9,6 +9,7 @@ use crate::{
     Error, Run,
     cycles::{Bifurcation, CycleBranch, CyclePoint, FoldCurve, LimitCycle, Predicted, SpecialPoint},
     energy::Energy,
+    ensemble::{self, Basins, Ending, Sweep, Way},
     integrate::{Stats, Trajectory},
     live::{Columns, Envelope},
     model::{
@@ -378,4 +379,38 @@ pub(super) fn stability_map(map: &StabilityMap) -> crate::Result<JsValue> {
         record = record.bytes("kind", &cells.kind[..cells.made]).names("kinds", &KINDS);
     }
     Ok(record.done())
+}
+
+/// What there is of basins.
+pub(super) fn basins(basins: &Basins) -> JsValue {
+    let (endings, places) = basins.endings();
+    Record::new()
+        .bytes("kind", basins.kind())
+        .names("kinds", &ensemble::KINDS)
+        .series("amplitude", basins.amplitude())
+        .number("apart", basins.apart())
+        .bytes("ending", &places)
+        .value("endings", list(&endings, ending))
+        .number("followed", basins.followed() as f64)
+        .done()
+}
+
+fn ending(ending: &Ending) -> JsValue {
+    Record::new()
+        .text("kind", ending.fate.name())
+        .number("low", ending.low)
+        .number("high", ending.high)
+        .number("cells", ending.cells as f64)
+        .done()
+}
+
+/// What there is of a sweep.
+pub(super) fn sweep(sweep: &Sweep) -> JsValue {
+    let way = |way: &Way| Record::new().bytes("kind", &way.kind).series("amplitude", &way.amplitude);
+    Record::new()
+        .series("value", &sweep.values())
+        .record("up", way(sweep.up()))
+        .record("down", way(sweep.down()))
+        .names("kinds", &ensemble::KINDS)
+        .done()
 }

@@ -318,11 +318,75 @@ export interface HopfCurve {
 }
 /** What a job has of a map: the cells so far. `stablePercent`: null before the first; `stableArea`: null before the last. */
 export type UnfinishedMap = Omit<StabilityMap, 'stablePercent' | 'stableArea'> & { stablePercent: number | null; stableArea: number | null };
+/** An axis of basins: a parameter's or a state's range, in its SI unit, cut into `count` cells. */
+export type BasinsAxis = { from: number; to: number; count: number } & ({ parameter: string; state?: null } | { state: string; parameter?: null });
+/** Basins to be found: over two states, two parameters or one of each; 1e6 cells at most. */
+export interface BasinsSpec {
+  model: string;
+  parameters?: Parameters | null;
+  /** where a motion starts, but for the states on the axes; at rest, or where the axes are parameters a tenth of the first state's typical size from it */
+  initial?: Record<string, number> | null;
+  x: BasinsAxis;
+  y: BasinsAxis;
+  linked?: Plane['linked'];
+  /** s that a motion has to settle, at most 1000; 10 */
+  duration?: number | null;
+  /** coarse first, then finer where neighbours end differently; false: every cell is followed. true */
+  refine?: boolean | null;
+  /** the cells from this column and row on, so many of them; all that are left */
+  tile?: MapSpec['tile'];
+}
+/** How a motion ends: at rest; in a cycle that lives on the freeplay; in one that the tire sustains; beyond the model's range (0.5 rad) or without bounds; not yet, or never the same. */
+export type MotionKind = 'rest' | 'rattle' | 'shimmy' | 'divergence' | 'unsettled';
+/** Where the motions from the centres of cells end: row by row from `y.from` up, each from `x.from` on. A cell that is not known yet has 255 for kind and ending, and amplitude 0. */
+export interface Basins {
+  /** of each cell, as `kinds` says */
+  kind: Uint8Array;
+  kinds: MotionKind[];
+  /** of the first state, in its unit: 0 at rest, Infinity without bounds. Of a cell that was not followed it lies between its neighbours' */
+  amplitude: Float64Array;
+  /** of each cell, the place in `endings` */
+  ending: Uint8Array;
+  /** by kind, and by amplitude. Where both axes are states, amplitudes of a kind that are, in their order, more than 2 % apart are of two endings; where parameters vary, each kind is one */
+  endings: { kind: MotionKind; low: number; high: number; cells: number }[];
+  /** by what part endings of a kind are apart: 0.02, or 1 where each kind is one */
+  apart: number;
+  /** how many cells were followed; the others lie between some that end alike */
+  followed: number;
+}
+/** One motion carried on as a parameter goes there and back; over a plane, along x in each row. Where it has come to rest, or left all bounds, it starts anew at the next. */
+export interface SweepSpec {
+  model: string;
+  parameters?: Parameters | null;
+  /** where a motion starts; a hundredth of the first state's typical size from rest */
+  initial?: Record<string, number> | null;
+  /** of one parameter the values from end to end, of a plane the centres of cells */
+  over: (Axis & { count: number }) | { x: Axis & { count: number }; y: Axis & { count: number } };
+  /** the state whose amplitude is measured; the first */
+  measure?: string | null;
+  linked?: Plane['linked'];
+  /** s that a motion has to settle at each value, at most 1000; 10 */
+  duration?: number | null;
+  /** whole rows */
+  tile?: MapSpec['tile'];
+}
+/** One way of a sweep, cell by cell and row by row: 255 and 0 where it has not come to yet. */
+export interface SweepWay { kind: Uint8Array; amplitude: Float64Array }
+/** What a motion becomes as a parameter goes there (`up`) and back (`down`): where the two differ, there are two motions. */
+export interface Sweep {
+  /** the parameter's values along x */
+  value: Float64Array;
+  up: SweepWay;
+  down: SweepWay;
+  kinds: MotionKind[];
+}
 /** The jobs by kind: what each is given, what it has on the way, what it gives in the end. */
 export interface Jobs {
   stabilityMap: { spec: MapSpec; part: UnfinishedMap; result: StabilityMap };
   bifurcation: { spec: BifurcationSpec; part: Bifurcation; result: Bifurcation };
   foldCurve: { spec: FoldSpec; part: FoldCurve[]; result: FoldCurve[] };
+  basins: { spec: BasinsSpec; part: Basins; result: Basins };
+  sweep: { spec: SweepSpec; part: Sweep; result: Sweep };
 }
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }

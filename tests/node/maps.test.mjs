@@ -8,7 +8,7 @@ const CASTERS = { parameter: 'casterLength', from: 0, to: 0.5, count: 300 };
 const MAP = { model: 'torsional', x: SPEEDS, y: CASTERS };
 
 /** What a job has of a map. @param {import('../../www/pkg/shimmy.js').Job} job */
-const map = (job) => /** @type {import('../../www/pkg/shimmy.js').UnfinishedMap} */ (job.result());
+const soFar = (job) => /** @type {import('../../www/pkg/shimmy.js').UnfinishedMap} */ (job.result());
 
 test('a map tells what is asked for, row by row from below', () => {
   const map = shimmy.stabilityMap(MAP);
@@ -49,11 +49,10 @@ test('a tile is a part of the map, and a job makes it in slices', () => {
   assert.equal(shimmy.stabilityMap({ ...MAP, tile: { row: 299 } }).stable.length, 400);
 
   const job = new shimmy.Job('stabilityMap', MAP);
-  const early = map(job);
-  assert.deepEqual([early.stable.length, early.stablePercent, early.stableArea], [0, null, null]);
+  assert.deepEqual([soFar(job).stable.length, soFar(job).stablePercent, soFar(job).stableArea], [0, null, null]);
   const first = job.advance(0);
   assert.ok(!first.done && first.fraction > 0 && first.fraction < 1);
-  const part = map(job);
+  const part = soFar(job);
   assert.equal(part.stable.length, Math.round(120_000 * first.fraction));
   assert.deepEqual(part.growthRate, whole.growthRate?.slice(0, part.stable.length));
   assert.equal(part.stableArea, null);
@@ -128,11 +127,12 @@ test('a bad plane is refused in words', () => {
   const { x, y } = MAP;
   assert.equal(refusal(() => shimmy.hopfCurve({ model: 'torsional', x, y, accuracy: 0 })).field, 'accuracy');
   assert.equal(refusal(() => shimmy.hopfCurve({ model: 'torsional', x: { ...x, to: 1e12 }, y })).field, 'x.to');
-  const job = refusal(() => new shimmy.Job(/** @type {any} */ ('basins'), MAP));
-  assert.deepEqual([job.code, job.field, job.allowed], ['unknown-name', 'kind', 'one of stabilityMap, bifurcation, foldCurve']);
+  const job = refusal(() => new shimmy.Job(/** @type {any} */ ('basin'), MAP));
+  assert.deepEqual([job.code, job.field, job.suggestion], ['unknown-name', 'kind', 'basins']);
+  assert.match(job.allowed, /^one of stabilityMap, /);
   const going = new shimmy.Job('stabilityMap', MAP);
   assert.equal(refusal(() => going.advance(-1)).field, 'milliseconds');
   assert.equal(refusal(() => going.advance(NaN)).field, 'milliseconds');
   while (!going.advance(5).done);
-  assert.equal(map(going).stable.length, 120_000);
+  assert.equal(soFar(going).stable.length, 120_000);
 });

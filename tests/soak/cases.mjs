@@ -6,6 +6,7 @@ import { randomFrom, seedOf } from './random.mjs';
 import { hostileRun, shortRun } from './runs.mjs';
 import { play } from './session.mjs';
 
+/** @typedef {import('../../www/pkg/shimmy.js').UnfinishedMap} UnfinishedMap */
 /** @typedef {import('./random.mjs').Random} Random */
 /** @typedef {import('./runs.mjs').Model} Model */
 /** @typedef {typeof import('../../www/pkg/shimmy.js')} Shimmy */
@@ -86,10 +87,10 @@ function worked(shimmy, asked, random) {
   const job = new shimmy.Job('stabilityMap', asked);
   try {
     job.advance(0);
-    const early = /** @type {any} */ (job.result());
+    const early = /** @type {UnfinishedMap} */ (job.result());
     if (random.chance(0.2)) judged('advance', () => job.advance(/** @type {any} */ (garbage(random).value)));
     while (!job.advance(1).done);
-    const late = /** @type {any} */ (job.result());
+    const late = /** @type {UnfinishedMap} */ (job.result());
     must('a map has shrunk', early.stable.length <= late.stable.length);
     return late;
   } finally {

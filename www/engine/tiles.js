@@ -4,6 +4,8 @@
  * @typedef {{ column: number, row: number, columns: number, rows: number }} Tile
  */
 
+import { joinedEndings, placesOf } from './endings.js';
+
 /** How many tiles a worker gets at least: those that take long would leave the others without work. */
 const perWorker = 4;
 /** Whole rows that are made one by one: each goes on where the cell before has ended. */
@@ -27,8 +29,15 @@ export function tilesOf(kind, spec, workers, size = {}) {
   return tiles;
 }
 
-/** @param {any} spec */
-const countsOf = (spec) => ({ columns: Number(spec.x?.count ?? 1), rows: Number(spec.y?.count ?? 1) });
+/** Cells across and along; a sweep over one parameter is a row. @param {any} spec */
+function countsOf(spec) {
+  const { x, y } = spec.over ?? spec;
+  return { columns: Number(x?.count ?? spec.over?.count ?? 1), rows: Number(y?.count ?? 1) };
+}
+
+/** What is the same of every tile, and what is counted. */
+const shared = ['value', 'kinds', 'apart'];
+const counted = ['followed'];
 
 /** The result of a plane, from those of its tiles. */
 export class Assembly {
@@ -43,21 +52,22 @@ export class Assembly {
 
   /** What there is of it. */
   get result() {
+    if (this.#result?.endings) this.#result.ending = placesOf(this.#result);
     return this.#result;
   }
 
   /** @param {Tile} tile @param {any} part */
   put(tile, part) {
-    const cells = tile.columns * tile.rows;
-    this.#result ??= {};
-    for (const [key, value] of Object.entries(part)) this.#result[key] = this.#joined(this.#result[key], value, tile);
-    this.#made += cells;
+    this.#result = this.#joined(this.#result, part, tile, '');
+    this.#made += tile.columns * tile.rows;
   }
 
-  /** @param {any} whole @param {any} part @param {Tile} tile @returns {any} */
-  #joined(whole, part, tile) {
+  /** @param {any} whole @param {any} part @param {Tile} tile @param {string} name @returns {any} */
+  #joined(whole, part, tile, name) {
     const { columns, rows } = this.#counts;
     const cells = tile.columns * tile.rows;
+    if (shared.includes(name)) return part;
+    if (name === 'endings') return joinedEndings([...(whole ?? []), ...part], this.#result.apart);
     if (isSeries(part) && part.length === cells) {
       whole ??= new /** @type {any} */ (part.constructor)(columns * rows);
       for (let row = 0; row < tile.rows; row++) {
@@ -65,14 +75,14 @@ export class Assembly {
       }
       return whole;
     }
+    if (counted.includes(name)) return (whole ?? 0) + part;
     // A share of the whole is the mean of those of its parts.
     if (typeof part === 'number') return ((whole ?? 0) * this.#made + part * cells) / (this.#made + cells);
-    if (part && typeof part === 'object' && !Array.isArray(part) && !isSeries(part)) {
-      whole ??= {};
-      for (const [key, value] of Object.entries(part)) whole[key] = this.#joined(whole[key], value, tile);
-      return whole;
-    }
-    return part;
+    if (!part || typeof part !== 'object' || Array.isArray(part) || isSeries(part)) return part;
+    whole ??= {};
+    if (!name) this.#result = whole;
+    for (const [key, value] of Object.entries(part)) whole[key] = this.#joined(whole[key], value, tile, key);
+    return whole;
   }
 }
 

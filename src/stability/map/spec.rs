@@ -78,11 +78,11 @@ pub struct Tile {
 
 impl Tile {
     /// The whole of a map.
-    fn whole([columns, rows]: [usize; 2]) -> Self {
+    pub(crate) fn whole([columns, rows]: [usize; 2]) -> Self {
         Self { column: 0, row: 0, columns, rows }
     }
 
-    fn read(input: &Value, counts: [usize; 2]) -> Result<Self> {
+    pub(crate) fn read(input: &Value, counts: [usize; 2]) -> Result<Self> {
         let fields = Fields::of("tile", input, &["column", "row", "columns", "rows"])?;
         let part = |first: &str, many: &str, count: usize| {
             let first = whole(&fields, first, [0, count - 1])?.unwrap_or(0);
@@ -98,7 +98,7 @@ impl Tile {
 }
 
 /// A field that holds a whole number between two others.
-fn whole(fields: &Fields, key: &str, [least, most]: [usize; 2]) -> Result<Option<usize>> {
+pub(crate) fn whole(fields: &Fields, key: &str, [least, most]: [usize; 2]) -> Result<Option<usize>> {
     let allowed = format!("a whole number from {least} to {}", shown(most as f64));
     let Some(number) = fields.number(key, &allowed)? else { return Ok(None) };
     if number.fract() == 0.0 && (least as f64..=most as f64).contains(&number) {

@@ -1,0 +1,256 @@
+//! Motions from their starts to their ends.
+
+use super::{
+    bundle::Bundle,
+    judge::{Judge, LOST, NOISE, NOISE_OF_GAP, Verdict},
+    lanes::LANES,
+};
+use crate::{
+    Code, Run,
+    error::Result,
+    model::Prepared,
+    outlook::{self, TRUSTED},
+};
+
+/// Steps of a stretch before its amplitude is measured, and those over which it is: four swings.
+const AHEAD: usize = 600;
+const MEASURED: usize = 400;
+/// Amplitudes so near to each other, in parts of them, are of one motion of a gear.
+const SAME: f64 = 1e-3;
+
+/// How a motion ends: the order is that of [`super::KINDS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// At rest.
+    Rest = 0,
+    /// In a cycle that lives on the freeplay: without the gap it would die out.
+    Rattle = 1,
+    /// In a cycle that the tire sustains.
+    Shimmy = 2,
+    /// Beyond the range of the model, 0.5 rad, or without bounds.
+    Divergence = 3,
+    /// Still on its way, or never repeating, when its time was over.
+    Unsettled = 4,
+}
+
+impl Fate {
+    /// The fate of a number.
+    pub fn numbered(number: u8) -> Option<Self> {
+        [Self::Rest, Self::Rattle, Self::Shimmy, Self::Divergence, Self::Unsettled].get(usize::from(number)).copied()
+    }
+
+    /// Public name.
+    pub fn name(self) -> &'static str {
+        super::KINDS[self as usize]
+    }
+}
+
+/// A motion to follow.
+#[derive(Clone, Debug)]
+pub(super) struct Start {
+    /// Whose it is.
+    pub place: usize,
+    /// All parameters, in table order.
+    pub values: Vec<f64>,
+    /// The state.
+    pub x: Vec<f64>,
+}
+
+/// A motion at its end.
+#[derive(Clone, Debug)]
+pub(super) struct Settled {
+    pub fate: Fate,
+    /// Largest |·| of every state: 0 at rest, infinite where it grows without bounds.
+    pub amplitude: Vec<f64>,
+    /// A state in it.
+    pub x: Vec<f64>,
+}
+
+/// Who sends motions on their way, and is told of their ends.
+pub(super) trait Errand {
+    /// The next one, if there is any now.
+    fn next(&mut self) -> Option<Start>;
+    /// The motion of this place has ended.
+    fn settled(&mut self, place: usize, settled: Settled);
+}
+
+/// A gear made ready, and what is known of it.
+#[derive(Clone, Debug)]
+struct Ready {
+    values: Vec<f64>,
+    prepared: Prepared,
+    /// Cycles that it has, and what they live on.
+    known: Vec<(f64, Fate)>,
+}
+
+/// A motion in a lane.
+#[derive(Clone, Debug)]
+struct Motion {
+    place: usize,
+    ready: Ready,
+    judge: Judge,
+    left: usize,
+    /// The cycle that it has come to, while it is tried without the gap.
+    cycle: Option<Settled>,
+}
+
+/// Motions on their way.
+#[derive(Clone, Debug)]
+pub(super) struct Followers {
+    run: Run,
+    bundle: Bundle,
+    motions: [Option<Motion>; LANES],
+    /// The gear that came last: of a plane of starts it is the same for all.
+    ready: Option<Ready>,
+    time: f64,
+}
+
+impl Followers {
+    /// Follows motions of the run's model, each for at most `time` s.
+    pub fn new(run: Run, time: f64) -> Self {
+        Self { run, bundle: Bundle::at_rest(), motions: [const { None }; LANES], ready: None, time }
+    }
+
+    /// Takes motions while there is room, and follows all for a stretch. False where there was none.
+    ///
+    /// # Errors
+    /// As [`Run::outlook`], of motions that are followed by themselves.
+    pub fn advance(&mut self, errand: &mut dyn Errand) -> Result<bool> {
+        for lane in 0..LANES {
+            while self.motions[lane].is_none() {
+                let Some(start) = errand.next() else { break };
+                match self.ready(&start.values) {
+                    Some(ready) => self.set_off(lane, start, ready),
+                    None => {
+                        let settled = alone(&self.run.placed(&start.values, &start.x, self.time))?;
+                        errand.settled(start.place, settled);
+                        return Ok(true); // it took its time
+                    }
+                }
+            }
+        }
+        if self.motions.iter().all(Option::is_none) {
+            return Ok(false);
+        }
+        self.bundle.advance(AHEAD);
+        let reach = self.bundle.measure(MEASURED);
+        for lane in 0..LANES {
+            let Some(mut motion) = self.motions[lane].take() else { continue };
+            match self.judged(lane, &mut motion, reach.map(|reach| reach.each()[lane])) {
+                Some(settled) => errand.settled(motion.place, settled),
+                None => self.motions[lane] = Some(motion),
+            }
+        }
+        Ok(true)
+    }
+
+    /// The gear of these parameters, if lanes can take it.
+    fn ready(&mut self, values: &[f64]) -> Option<Ready> {
+        if let Some(ready) = self.ready.as_ref().filter(|ready| ready.values == values) {
+            return Some(ready.clone());
+        }
+        let prepared = (self.run.description().prepared)(values)?;
+        self.ready = Some(Ready { values: values.to_vec(), prepared, known: Vec::new() });
+        self.ready.clone()
+    }
+
+    fn set_off(&mut self, lane: usize, start: Start, ready: Ready) {
+        let Prepared { step, gear, gapless, small } = &ready.prepared;
+        let noise = if gapless.is_some() { NOISE_OF_GAP } else { NOISE };
+        self.bundle.load(lane, gear, [start.x[0], start.x[1] * step, start.x[2]]);
+        let (judge, left) = (Judge::new(*small, noise), self.stretches(*step));
+        self.motions[lane] = Some(Motion { place: start.place, judge, left, ready, cycle: None });
+    }
+
+    /// Stretches in the time that a motion has.
+    fn stretches(&self, step: f64) -> usize {
+        (self.time / (step * (AHEAD + MEASURED) as f64)).ceil() as usize
+    }
+
+    /// The state in a lane, in the units of the model.
+    fn state(&self, lane: usize, step: f64) -> [f64; 3] {
+        let [psi, change, y] = self.bundle.state(lane);
+        [psi, change / step, y]
+    }
+
+    /// The end of a motion after a stretch with these amplitudes, or nothing where it goes on.
+    fn judged(&mut self, lane: usize, motion: &mut Motion, reach: [f64; 3]) -> Option<Settled> {
+        let step = motion.ready.prepared.step;
+        let verdict = motion.judge.hear(if reach.iter().all(|reach| reach.is_finite()) { reach[0] } else { f64::NAN });
+        motion.left = motion.left.saturating_sub(1);
+        if motion.cycle.is_some() {
+            let fate = match verdict {
+                Some(Verdict::Rests) => Fate::Rattle,
+                None if motion.left > 0 => return None,
+                _ => Fate::Shimmy,
+            };
+            let settled = motion.cycle.take().map(|cycle| Settled { fate, ..cycle })?;
+            if let Some(ready) = self.ready.as_mut().filter(|ready| ready.values == motion.ready.values) {
+                ready.known.push((settled.amplitude[0], fate));
+            }
+            return Some(settled);
+        }
+        let x = self.state(lane, step);
+        let of = |fate, amplitude: f64| {
+            // The first state's amplitude is known better than the others', which go with it.
+            let scale = if reach[0] > 0.0 { amplitude / reach[0] } else { 0.0 };
+            let amplitude = vec![amplitude, reach[1] / step * scale, reach[2] * scale];
+            Some(Settled { fate, amplitude, x: x.to_vec() })
+        };
+        match verdict {
+            Some(Verdict::Rests) => of(Fate::Rest, 0.0),
+            Some(Verdict::Diverges) => {
+                Some(Settled { fate: Fate::Divergence, amplitude: vec![f64::INFINITY; 3], x: x.to_vec() })
+            }
+            Some(Verdict::Repeats(amplitude)) if amplitude > TRUSTED => of(Fate::Divergence, amplitude),
+            Some(Verdict::Repeats(amplitude)) => {
+                let known = self.ready.as_ref().filter(|ready| ready.values == motion.ready.values);
+                let known = known.and_then(|ready| {
+                    ready.known.iter().find(|(other, _)| (other - amplitude).abs() < SAME * amplitude)
+                });
+                match (&motion.ready.prepared.gapless, known) {
+                    (None, _) => of(Fate::Shimmy, amplitude),
+                    (_, Some((_, fate))) => of(*fate, amplitude),
+                    (Some(gapless), None) => {
+                        motion.cycle = of(Fate::Shimmy, amplitude);
+                        let now = self.bundle.state(lane);
+                        self.bundle.load(lane, gapless, now);
+                        motion.judge = Judge::new(motion.ready.prepared.small, NOISE);
+                        motion.left = self.stretches(step);
+                        None
+                    }
+                }
+            }
+            None if motion.left > 0 => None,
+            None => of(Fate::Unsettled, motion.judge.last()),
+        }
+    }
+}
+
+/// A motion that is followed by itself.
+fn alone(run: &Run) -> Result<Settled> {
+    let width = run.initial().len();
+    let outlook = match run.outlook() {
+        // It has not come to its end in as many steps as it may take, or as time can tell apart.
+        Err(error) if matches!(error.code, Code::StepLimit | Code::StepTooSmall) => {
+            let amplitude = run.initial().iter().map(|x| x.abs()).collect();
+            return Ok(Settled { fate: Fate::Unsettled, amplitude, x: run.initial().to_vec() });
+        }
+        outlook => outlook?,
+    };
+    let fate = match outlook.verdict {
+        outlook::Verdict::Shimmies => Fate::Shimmy,
+        outlook::Verdict::DiesOut | outlook::Verdict::Rests => Fate::Rest,
+        outlook::Verdict::Rattles => Fate::Rattle,
+        outlook::Verdict::Grows => Fate::Divergence,
+    };
+    let amplitude = match fate {
+        Fate::Rest => vec![0.0; width],
+        // What grew so far would have grown on.
+        Fate::Divergence if outlook.frequency.is_none() || outlook.amplitude[0] > LOST => vec![f64::INFINITY; width],
+        _ => outlook.amplitude,
+    };
+    let first = outlook.orbit.states.iter().map(|column| column.first().copied());
+    let x = first.collect::<Option<Vec<f64>>>().unwrap_or_else(|| vec![0.0; width]);
+    Ok(Settled { fate, amplitude, x })
+}
