@@ -51,7 +51,9 @@ export class Loop {
   }
 
   get #lens() {
-    return /** @type {LensElement | null} */ (this.#host.querySelector('#lens-panel'));
+    const panel = /** @type {LensElement | null} */ (this.#host.querySelector('#lens-panel'));
+    // One that is still on its way draws nothing.
+    return panel && 'draw' in panel ? panel : null;
   }
 
   /** @param {number} now in ms */

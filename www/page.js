@@ -24,7 +24,7 @@ import { readTheme } from './style/theme.js';
 import { Teller } from './story/telling.js';
 
 /** These have the room for themselves. */
-const withoutWhy = ['compare', 'stability'];
+const withoutWhy = ['compare', 'stability', 'cycles'];
 const stillness = matchMedia('(prefers-reduced-motion: reduce)');
 
 /**
@@ -100,7 +100,7 @@ export class Page extends LitElement {
               .canComeBack=${app.left !== null} .isVeiled=${isVeiled}></shimmy-strip>`}
           ${this.#isActing ? html`<p class="opening-line" role="status">${app.act?.moment === 'wheel' ? '' : voice.say('act.sentence')}</p>` : ''}
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}></shimmy-lens-tabs>
-          ${lensElement(lens, { voice, shows: views[lens] ?? '', views, isVeiled, quantities })}
+          ${lensElement(lens, { voice, shows: views[lens] ?? '', views, isVeiled, quantities }, this.#lensArrived)}
           ${withoutWhy.includes(lens) ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
           ${app.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.all', { count: quantities.length })} .voice=${voice}
             .quantities=${quantities} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
@@ -137,6 +137,12 @@ export class Page extends LitElement {
       this.requestUpdate();
     }
   }
+
+  /** It gets its first frame, as it stands, and what has been seen ahead. */
+  #lensArrived = () => {
+    this.#app.isLookDue = true;
+    this.requestUpdate();
+  };
 
   /** @type {import('./controls/knob.js').Change} */
   #change = (name, value, gesture) => this.#app.session?.set(name, value, gesture || null) ?? null;

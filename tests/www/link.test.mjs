@@ -105,7 +105,7 @@ test('a record out of order is put in order; a change too late, a ghost that can
 });
 
 test('a lens that is not there yet is none, and a text too long for an address is read up to there', () => {
-  assert.deepEqual(readLink('#shimmy=2&lens=cycles', models, accepts)?.problems, [{ key: 'lens', value: 'cycles', reason: 'unknown' }]);
+  assert.deepEqual(readLink('#shimmy=2&lens=damper', models, accepts)?.problems, [{ key: 'lens', value: 'damper', reason: 'unknown' }]);
   const long = readLink(`#shimmy=2&velocity=30&view.story=${'x'.repeat(60_000)}&dampingConstant=40`, models, accepts);
   assert.deepEqual([long?.state.parameters.velocity, long?.state.parameters.dampingConstant], [30, 10]);
   const setting = readLink(`#shimmy=2&view.besideSort=${'x'.repeat(60)},up`, models, accepts);
@@ -113,7 +113,7 @@ test('a lens that is not there yet is none, and a text too long for an address i
 });
 
 test('what is shown can be shown so, or the link says that it cannot', () => {
-  for (const good of ['phase=orbit', 'phase=orbit,-120,45', 'phase=spectrum-log', 'forces=aligningMoment', 'timeline=torsionRate', 'magnification=20', 'stability=locus', 'plane=velocity:0.5:100,dampingConstant:0:100,frequency', 'cycles=anything'])
+  for (const good of ['phase=orbit', 'phase=orbit,-120,45', 'phase=spectrum-log', 'forces=aligningMoment', 'timeline=torsionRate', 'magnification=20', 'stability=locus', 'plane=velocity:0.5:100,dampingConstant:0:100,frequency', 'damper=anything', 'cycles=cycle', 'cycleOrbit=space,-120,45', 'cycleOrbit=deformation'])
     assert.deepEqual(readLink(`#shimmy=2&view.${good}`, models, accepts)?.problems, [], good);
   for (const [bad, reason] of /** @type {const} */ ([
     ['phase=orbt', 'unclear'], ['phase=orbit,left,up', 'unclear'], ['phase=orbit,900,20', 'unclear'], ['phase=portrait,1,2', 'unclear'],

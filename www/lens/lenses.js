@@ -14,7 +14,7 @@ export const lenses = [
   { name: 'phase', ready: true },
   { name: 'forces', ready: true },
   { name: 'stability', ready: true },
-  { name: 'cycles', ready: false },
+  { name: 'cycles', ready: true },
   { name: 'damper', ready: false },
   { name: 'landing', ready: false },
   { name: 'compare', ready: true },

@@ -1,3 +1,4 @@
+import { viewNames as cycleViews } from './cycles/settings.js';
 import { viewNames } from './stability/settings.js';
 
 /**
@@ -10,6 +11,7 @@ export const viewsOfLens = {
   phase: ['portrait', 'deformation', 'orbit', 'spectrum', 'spectrum-log'],
   forces: ['all', 'sideForce', 'aligningMoment', 'restoringMoment'],
   stability: viewNames,
+  cycles: cycleViews,
   compare: [],
 };
 

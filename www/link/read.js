@@ -15,6 +15,7 @@
  */
 
 import { isVelocityUnit } from '../controls/unit.js';
+import { isOrbit } from '../lens/cycles/settings.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
 import { isHistories, isMode, isSorting, readLocus, readPlane } from '../lens/stability/settings.js';
@@ -199,6 +200,7 @@ const viewed = {
   besideSort: isSorting,
   histories: isHistories,
   casesSort: isSorting,
+  cycleOrbit: isOrbit,
 };
 
 /**

@@ -12,7 +12,7 @@ export function viewsOf({ lens, views }) {
   return [
     { name: 'gear', element: '.gear shimmy-canvas', title: (voice) => voice.say('stage.name') },
     { name: 'time', element: 'shimmy-timeline shimmy-canvas', title: (voice) => voice.say('timeline.name') },
-    ...(lens === 'stability' ? stabilityViews(views) : [{ name: lens, element: '#lens-panel shimmy-canvas', title: titled(`lens.${lens}`) }]),
+    ...(lens === 'stability' ? stabilityViews(views) : lens === 'cycles' ? cyclesViews(views) : [{ name: lens, element: '#lens-panel shimmy-canvas', title: titled(`lens.${lens}`) }]),
   ];
 }
 
@@ -39,6 +39,19 @@ function stabilityViews({ stability }) {
     { name: 'roots', element: '#lens-panel .roots shimmy-canvas', title: titled('roots.title') },
     { name: 'history', element: '#lens-panel .history shimmy-canvas', title: titled('history.title') },
   ];
+}
+
+/** The views of the lens *Cycles*; the first is the usual one. @type {Readonly<Record<string, Shown[]>>} */
+const cyclePanels = {
+  cycle: [
+    { name: 'cycle', element: '#lens-panel .cycle-orbit', title: titled('cycle.title') },
+    { name: 'multipliers', element: '#lens-panel .multipliers', title: titled('cycle.multipliers') },
+  ],
+};
+
+/** @param {Looked['views']} views @returns {Shown[]} */
+function cyclesViews({ cycles }) {
+  return Object.hasOwn(cyclePanels, cycles ?? '') ? cyclePanels[cycles] : cyclePanels.cycle;
 }
 
 /** @param {string} key @returns {Shown['title']} */

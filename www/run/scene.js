@@ -14,6 +14,7 @@
  */
 
 import { roundStep } from '../view/scale.js';
+import { cycleLooks } from './cycle-looks.js';
 import { spanFor } from './fit.js';
 import { linearLooks } from './linear-looks.js';
 import { onward } from './lookout.js';
@@ -139,6 +140,8 @@ function looksFurther(engine, live, beat) {
     forcesAlong: (of, values, states) => engine.forcesAlong({ model: of, parameters: values }, states),
     /** What linear theory says of the gear as it is. */
     linear: linearLooks(engine, model, () => live.recipe.initial),
+    /** What is known of its motions that repeat. */
+    cycles: cycleLooks(engine, model, () => live.stateByName),
     /** The forces of a ghost at its state. @param {{ kept: { object: string }, parameters: Readonly<Record<string, number>>, state: Float64Array }} ghost */
     forcesOf: (ghost) => engine.forces({ model: ghost.kept.object, parameters: ghost.parameters }, ghost.state),
   };

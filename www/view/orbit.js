@@ -37,9 +37,9 @@ const pieces = 64;
  * @param {Voice} voice
  */
 export function drawOrbit(context, size, motion, theme, voice) {
-  const { limits, look, orbitLabel, freeplay, exposed = null, ghosts = [], veiled = false } = motion;
+  const { limits, look, orbitLabel, orbitStyle = destination, freeplay, exposed = null, ghosts = [], veiled = false } = motion;
   const canvas = { left: theme.size * 0.8, right: size.width - theme.size * 0.8, top: theme.size * 0.8, bottom: size.height - theme.size * 0.6 };
-  const goal = { text: orbitLabel, style: veiled || (motion.orbit.torsionAngle?.length ?? 0) < 2 ? null : destination };
+  const goal = { text: orbitLabel, style: veiled || (motion.orbit.torsionAngle?.length ?? 0) < 2 ? null : orbitStyle };
   const gap = { text: freeplay > 0 ? voice.say('phase.gap') : '', style: gapEdge };
   const { frame, draw: drawKeys } = placeKeys(context, canvas, [
     { entry: veiled ? 'veiled' : goal, color: theme.ink, wishes: ['top-left', 'top-right'] },
@@ -67,7 +67,7 @@ export function drawOrbit(context, size, motion, theme, voice) {
   pinned.forEach((one, i) => drawInDepth(context, one, ghostStyle(i), theme));
   if (!exposed) drawDrop(context, now, projection, theme);
   drawTrailInDepth(context, trail, theme);
-  drawInDepth(context, orbit, destination, theme);
+  drawInDepth(context, orbit, orbitStyle, theme);
   if (exposed) drawSmear(context, path(exposed).shown, theme.psi, theme);
   else drawPresent(context, projection.across(now[0], now[1]), projection.up(...now), theme.psi, theme);
   drawKeys(words, [trail, orbit, ...pinned].map(({ shown }) => shown));

@@ -20,8 +20,8 @@ import { drawTrail } from './trail.js';
  * @typedef {{ label: string, orbit?: States, trail?: States }} Ghost a pinned run: the cycle it is on, or where it went
  * @typedef {{
  *   trail: States, orbit: States, orbitLabel: string, state: ArrayLike<number>, freeplay: number,
- *   exposed?: States | null, ghosts?: Ghost[], veiled?: boolean,
- * }} Motion `state`: ψ, ψ̇, y now; `freeplay`: half of the gap; `exposed`: the states of a frame's exposure, where that is
+ *   orbitStyle?: import('./strokes.js').Style, exposed?: States | null, ghosts?: Ghost[], veiled?: boolean,
+ * }} Motion `state`: ψ, ψ̇, y now; `orbitStyle`: of the orbit, dotted unless said; `freeplay`: half of the gap; `exposed`: the states of a frame's exposure, where that is
  *   too long for a single one; `veiled`: where it goes is not to be seen yet
  */
 
@@ -36,8 +36,8 @@ import { drawTrail } from './trail.js';
  * @param {Voice} voice
  */
 export function drawPortrait(context, size, motion, { up, present, limits, corners }, theme, voice) {
-  const { orbitLabel, freeplay, exposed = null, ghosts = [], veiled = false } = motion;
-  const goal = { text: orbitLabel, style: veiled || (motion.orbit.torsionAngle?.length ?? 0) < 2 ? null : destination };
+  const { orbitLabel, orbitStyle = destination, freeplay, exposed = null, ghosts = [], veiled = false } = motion;
+  const goal = { text: orbitLabel, style: veiled || (motion.orbit.torsionAngle?.length ?? 0) < 2 ? null : orbitStyle };
   const area = frameOf(size, theme);
   const { frame, draw: drawKeys } = placeKeys(context, area, [
     { entry: veiled ? 'veiled' : goal, color: theme.ink, wishes: corners },
@@ -61,7 +61,7 @@ export function drawPortrait(context, size, motion, { up, present, limits, corne
   context.clip();
   drawGhosts(context, pinned, theme);
   drawTrail(context, trail, color, theme);
-  inStyle(context, theme, destination, () => strokeCurve(context, orbit, { isClosed: true }));
+  inStyle(context, theme, orbitStyle, () => strokeCurve(context, orbit, { isClosed: true }));
   if (exposed) drawSmear(context, curve(exposed), color, theme);
   context.restore();
   if (!exposed) drawPresent(context, x.at(motion.state[0]), y.at(present), color, theme);

@@ -8,6 +8,12 @@
 /** Where the motion goes if nothing changes: dotted, in ink. @type {Style} */
 export const destination = (context, theme) => set(context, theme.ink, 1.4, [1.5, 4], theme);
 
+/** A cycle that draws its neighbors in: solid. @type {Style} */
+export const stableCycle = (context, theme) => set(context, theme.stable, 2.6, [], theme);
+
+/** One that sends them away: dashed. @type {Style} */
+export const unstableCycle = (context, theme) => set(context, theme.unstable, 2.4, [7, 5], theme);
+
 /** What tells several pinned runs apart, on the gear, on every plot and in the table, in px. */
 export const ghostDashes = [[6, 5], [3, 3], [12, 4, 2, 4], [14, 6]];
 

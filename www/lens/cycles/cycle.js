@@ -1,0 +1,204 @@
+import { html, nothing } from 'lit';
+import { tell } from '../../command.js';
+import { symbolOf } from '../../controls/symbol.js';
+import { limitsFor } from '../../run/fit.js';
+import '../../view/canvas.js';
+import { drawDeformationPortrait } from '../../view/deformation-portrait.js';
+import { firstLook, turnedByDrag, turnedByKey } from '../../view/look.js';
+import { drawMultipliers } from '../../view/multipliers.js';
+import { drawOrbit } from '../../view/orbit.js';
+import { drawPhasePortrait } from '../../view/phase-portrait.js';
+import { stableCycle, unstableCycle } from '../../view/strokes.js';
+import { CyclePanel } from './panel.js';
+import { amplitudeOf, kindOf, multiplierInWords, multipliersOf, nearnessInWords } from './say.js';
+import { orbitOf, orbitViews } from './settings.js';
+
+/**
+ * @typedef {import('../../run/cycle-looks.js').LimitCycle} LimitCycle
+ * @typedef {import('../../view/look.js').Look} Look
+ * @typedef {import('../../words/voice.js').Voice} Voice
+ */
+
+const degrees = 180 / Math.PI;
+/** The run is on the cycle when it goes to one as wide as it, to this share. */
+const same = 0.02;
+const symbols = /** @type {const} */ ({ torsionAngle: 'ψ', torsionRate: 'ψ̇', lateralDeformation: 'y' });
+
+/**
+ * The limit cycle of the gear as it is: its orbit with the motion on its way to it, how wide and how fast it is, and what
+ * becomes of an aside in one turn. Commands: `view` with how the orbit is drawn.
+ */
+export class Cycle extends CyclePanel {
+  /** How the orbit is looked at while a hand turns it. @type {Look | null} */ #turning = null;
+  /** @type {{ x: number, y: number } | null} */ #grip = null;
+  /** The axes hold while a slider moves. @type {{ scales: object | null, limits: import('../../run/fit.js').Swing }} */
+  #axes = { scales: null, limits: limitsFor({ angle: 0, rate: 0, deformation: 0 }) };
+
+  get #orbit() {
+    return orbitOf(this.settings.cycleOrbit ?? '');
+  }
+
+  render() {
+    const { voice, scene } = this;
+    return voice && scene ? this.content(voice) : html``;
+  }
+
+  /** @param {Voice} voice */
+  content(voice) {
+    const { isVeiled } = this;
+    const cycle = isVeiled ? null : this.cycle;
+    const { name } = this.#orbit;
+    const canvas = html`<shimmy-canvas class="cycle-orbit" .label=${this.#label(cycle, voice)} .paint=${this.#paintOrbit}></shimmy-canvas>`;
+    return html`
+      <div class="cycle">
+        <div class="cycle-picture">
+          ${name === 'space' ? html`<div class="turntable" tabindex="0" role="application" aria-label=${voice.say('phase.turn')} title=${voice.say('phase.turn')}
+            @pointerdown=${this.#grab} @pointermove=${this.#drag} @pointerup=${this.#release} @pointercancel=${this.#release} @keydown=${this.#key}>${canvas}</div>` : canvas}
+          <select class="framed orbit-view" aria-label=${voice.say('cycle.drawn')} .value=${name}
+            @change=${(/** @type {Event} */ event) => tell(this, 'view', { of: 'cycleOrbit', shows: /** @type {HTMLSelectElement} */ (event.target).value })}>
+            ${orbitViews.map((one) => html`<option value=${one} ?selected=${one === name}>${voice.say(`cycle.orbit.${one}`)}</option>`)}
+          </select>
+        </div>
+        <shimmy-canvas class="multipliers" .label=${this.#multipliersInWords(cycle, voice)} .paint=${this.#paintMultipliers}></shimmy-canvas>
+        ${isVeiled ? this.veil(voice) : this.#facts(cycle, voice)}
+      </div>`;
+  }
+
+  /** @param {LimitCycle | null} cycle @param {Voice} voice */
+  #facts(cycle, voice) {
+    if (!cycle) return html`<div class="cycle-facts"><h2 role="status">${this.#isFar ? voice.say('stability.none') : voice.say('cycle.none')}</h2></div>`;
+    const { amplitude, frequency, period } = cycle;
+    const { along, others } = multipliersOf(cycle.multipliers);
+    return html`
+      <div class="cycle-facts">
+        <h2 role="status" class=${cycle.stable ? '' : 'is-unstable'}>${kindOf(cycle, voice)}</h2>
+        <dl>
+          <div><dt>${voice.say('cycle.frequency')}</dt><dd>${voice.number(frequency ?? NaN, 3)} Hz <span class="spare">${voice.number(1000 * (period ?? NaN), 3)} ms</span></dd></div>
+          ${Object.entries(amplitude).map(([name, value]) => html`
+            <div class=${name === 'torsionAngle' ? '' : 'spare'}><dt>${symbolOf(symbols[/** @type {'torsionAngle'} */ (name)] ?? '')} ${voice.say(/** @type {import('../../words/voice.js').Key} */ (`state.${name}`))}</dt><dd>${amplitudeOf(name, value, voice)}${name === 'torsionAngle' ? html` <span class="spare">${voice.number(value, 5)} rad</span>` : nothing}</dd></div>`)}
+          <div><dt>${voice.say('cycle.multipliers')}</dt><dd>${others.filter(({ im }) => im >= 0).map((one) => multiplierInWords(one, voice)).join('; ')}${along ? html` <span class="spare">${voice.say('cycle.trivial')}</span>` : nothing}</dd></div>
+        </dl>
+        <p class="spare">${nearnessInWords(cycle, voice)}</p>
+        ${this.#elsewhere(cycle, voice)}
+      </div>`;
+  }
+
+  /** What to do where the run goes to another motion than the one shown. @param {LimitCycle} cycle @param {Voice} voice */
+  #elsewhere({ amplitude }, voice) {
+    const { outlook } = this;
+    if (!outlook || this.watch?.isOwed) return nothing;
+    const goal = outlook.verdict === 'shimmies' || outlook.verdict === 'rattles' ? outlook.amplitude.torsionAngle : 0;
+    if (Math.abs(goal - amplitude.torsionAngle) <= same * amplitude.torsionAngle) return nothing;
+    if (goal === 0) return html`<p>${voice.say(outlook.verdict === 'grows' ? 'cycle.run.grows' : 'cycle.run.rests')}</p>`;
+    return html`<p>${voice.say('cycle.run.other', { amplitude: amplitudeOf('torsionAngle', goal, voice) })}
+      <button type="button" class="framed" @click=${this.#follow}>${voice.say('cycle.run.follow')}</button></p>`;
+  }
+
+  #follow = () => {
+    if (!this.scene || !this.watch) return;
+    this.watch.goTo(this.scene, null, performance.now());
+    this.requestUpdate();
+  };
+
+  /** Whether nothing could be computed. */
+  get #isFar() {
+    return this.watch?.cycle === null && !this.watch.isOwed;
+  }
+
+  /** @param {LimitCycle | null} cycle @param {Voice} voice */
+  #label(cycle, voice) {
+    if (this.isVeiled) return voice.say('cycle.name.veiled');
+    if (!cycle) return voice.say('cycle.name.none');
+    return voice.say('cycle.name', { kind: kindOf(cycle, voice), amplitude: amplitudeOf('torsionAngle', cycle.amplitude.torsionAngle, voice), frequency: voice.number(cycle.frequency ?? NaN, 1) });
+  }
+
+  /** @param {LimitCycle | null} cycle @param {Voice} voice */
+  #multipliersInWords(cycle, voice) {
+    if (this.isVeiled) return voice.say('cycle.multipliers.veiled');
+    const list = cycle ? multipliersOf(cycle.multipliers).others.map((one) => multiplierInWords(one, voice)).join('; ') : '–';
+    return voice.say('cycle.multipliers.name', { list });
+  }
+
+  /** The motion itself goes on each frame. @param {import('../../run/scene.js').Scene} scene @param {import('../../style/theme.js').Theme} theme */
+  draw(scene, theme) {
+    super.draw(scene, theme);
+    this.#hold(scene);
+    /** @type {import('../../view/canvas.js').Canvas | null} */ (this.querySelector('.cycle-orbit'))?.redraw();
+  }
+
+  /** @param {import('../../run/scene.js').Scene} scene */
+  #hold({ scales }) {
+    const before = this.#axes.scales === scales ? this.#axes.limits : scales.limits;
+    const { torsionAngle = 0, torsionRate = 0, lateralDeformation = 0 } = (this.isVeiled ? null : this.cycle?.amplitude) ?? {};
+    const isWithin = torsionAngle <= before.angle && torsionRate <= before.rate && lateralDeformation <= before.deformation;
+    const wanted = isWithin ? before : limitsFor({ angle: Math.max(before.angle / 1.12, torsionAngle), rate: Math.max(before.rate / 1.12, torsionRate), deformation: Math.max(before.deformation / 1.12, lateralDeformation) });
+    this.#axes = { scales, limits: wanted };
+  }
+
+  /** @type {import('../../view/canvas.js').Paint} */
+  #paintOrbit = (context, size) => {
+    const { voice, theme, scene, isVeiled } = this;
+    if (!voice || !theme || !scene) return;
+    const cycle = isVeiled ? null : this.cycle;
+    const motion = {
+      limits: this.#axes.limits, trail: scene.orbitPast, orbit: cycle?.orbit ?? {}, orbitLabel: cycle ? voice.say(cycle.stable ? 'cycle.key.stable' : 'cycle.key.unstable') : '',
+      orbitStyle: cycle?.stable ? stableCycle : unstableCycle,
+      state: scene.state, exposed: scene.exposed, freeplay: scene.parameters.freeplayAngle ?? 0, veiled: isVeiled,
+    };
+    const { name } = this.#orbit;
+    if (name === 'space') drawOrbit(context, size, { ...motion, look: this.#look }, theme, voice);
+    else if (name === 'deformation') drawDeformationPortrait(context, size, motion, theme, voice);
+    else drawPhasePortrait(context, size, motion, theme, voice);
+  };
+
+  /** @type {import('../../view/canvas.js').Paint} */
+  #paintMultipliers = (context, size) => {
+    const { voice, theme, isVeiled } = this;
+    if (!voice || !theme) return;
+    drawMultipliers(context, size, { ...multipliersOf((isVeiled ? null : this.cycle)?.multipliers ?? []), veiled: isVeiled }, theme, voice);
+  };
+
+  /** @returns {Look} */
+  get #look() {
+    if (this.#turning) return this.#turning;
+    const { yaw, pitch } = this.#orbit;
+    return Number.isFinite(yaw) && Number.isFinite(pitch) ? { yaw: yaw / degrees, pitch: pitch / degrees } : firstLook;
+  }
+
+  /** @param {Look} look */
+  #keep({ yaw, pitch }) {
+    this.#turning = null;
+    tell(this, 'view', { of: 'cycleOrbit', shows: `space,${Math.round(yaw * degrees)},${Math.round(pitch * degrees)}` });
+  }
+
+  /** @param {PointerEvent} event */
+  #grab(event) {
+    if (event.button !== 0) return;
+    this.#grip = { x: event.clientX, y: event.clientY };
+    /** @type {HTMLElement} */ (event.currentTarget).setPointerCapture(event.pointerId);
+  }
+
+  /** @param {PointerEvent} event */
+  #drag(event) {
+    if (!this.#grip) return;
+    this.#turning = turnedByDrag(this.#look, event.clientX - this.#grip.x, event.clientY - this.#grip.y);
+    this.#grip = { x: event.clientX, y: event.clientY };
+    if (this.scene && this.theme) this.draw(this.scene, this.theme);
+  }
+
+  #release() {
+    this.#grip = null;
+    if (this.#turning) this.#keep(this.#turning);
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const turned = turnedByKey(this.#look, event.key, event.shiftKey);
+    if (!turned) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#keep(turned);
+  }
+}
+
+customElements.define('shimmy-cycle', Cycle);

@@ -1,0 +1,30 @@
+import { Panel } from '../stability/panel.js';
+
+/**
+ * What the views of the lens *Cycles* share: like those beside the stability plane each looks at the gear anew once one of its
+ * values has changed; besides there is the gear's limit cycle, which the lens follows for all of them.
+ */
+export class CyclePanel extends Panel {
+  static properties = { ...Panel.properties, watch: { attribute: false }, outlook: { attribute: false } };
+
+  constructor() {
+    super();
+    /** @type {import('./cycle-watch.js').CycleWatch | null} */ this.watch = null;
+    /** What becomes of the run. @type {import('../../engine/engine.js').Outlook | null} */ this.outlook = null;
+  }
+
+  /** The gear's limit cycle; null where there is none, or no saying. */
+  get cycle() {
+    const cycle = this.watch?.cycle;
+    return cycle?.found ? cycle : null;
+  }
+
+  /** What the engine answers; null where the values are so wild that no number comes of them. @template Answer @param {(cycles: import('../../run/cycle-looks.js').CycleLooks) => Answer} question */
+  askCycles(question) {
+    try {
+      return this.scene ? question(this.scene.cycles) : null;
+    } catch {
+      return null;
+    }
+  }
+}
