@@ -79,7 +79,7 @@ test('the list obeys its keys: arrows past what is not built, Escape, and nothin
   assert.match(await active(), /Quiet taxi/);
   await page.keyboard.press('ArrowUp');
   await page.keyboard.press('ArrowUp');
-  assert.match(await active(), /Figure 6\.24b/, 'around the end, past what cannot be opened');
+  assert.match(await active(), /Table 6\.5/, 'around the end, past what cannot be opened');
   await page.keyboard.type('landing roll');
   assert.ok(await rows(page, { disabled: true }).count() >= 16);
   assert.match(await rows(page).first().innerText(), /not built yet/);

@@ -1,7 +1,8 @@
-// Every figure from 5.5 to 6.24 and tables 5.1 to 5.7 open as what they are, with their titles in both languages.
+// Every figure from 5.5 to 6.24 and tables 5.1 to 6.5 open as what they are, with their titles in both languages.
 
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
+import { tableNumbers, thesisTables } from '../../www/lens/cycles/thesis-tables.js';
 import { lenses } from '../../www/lens/lenses.js';
 import { besideOf, planesOf } from '../../www/lens/stability/beside-settings.js';
 import { locusOf, planeOf } from '../../www/lens/stability/settings.js';
@@ -29,18 +30,23 @@ const isTheory = (id) => {
 };
 const theory = figures.filter(({ entry }) => entry && isTheory(entry.id));
 
-test('the atlas is whole: 283 figures and tables, 153 motions and laws and 61 of linear theory for this page', () => {
+/** Of cycles: tables 5.8 … 6.5. */
+const tabled = figures.filter(({ entry }) => entry && tableNumbers.some((number) => entry.id === `Table ${number}`));
+
+test('the atlas is whole: 283 figures and tables, 153 motions and laws, 61 of linear theory and 11 tables of cycles for this page', () => {
   assert.equal(figures.length, 283);
   assert.equal(new Set(figures.map(({ name }) => name)).size, 283);
   assert.equal(ours.length, 153);
   assert.equal(theory.length, 61);
+  assert.equal(tabled.length, 11);
 });
 
 test('each of them can be opened where its lens is there; nothing that needs more can', () => {
   const has = (/** @type {string} */ lens) => lenses.some(({ name, ready }) => name === lens && ready);
   for (const { name, entry, isReady } of ours) assert.equal(isReady, entry?.view === 'freeplay-law' ? has('forces') : true, name);
   for (const { name, isReady } of theory) assert.equal(isReady, name === 'table-5.1' || has('stability'), name);
-  for (const { entry, isReady, name } of figures) if (![...ours, ...theory].some((one) => one.name === name)) assert.ok(!isReady, `${name} ${entry?.view}`);
+  for (const { name, isReady } of tabled) assert.equal(isReady, has('cycles'), name);
+  for (const { entry, isReady, name } of figures) if (![...ours, ...theory, ...tabled].some((one) => one.name === name)) assert.ok(!isReady, `${name} ${entry?.view}`);
 });
 
 test('each plane opens on the gear and the ranges of its figure, and its link opens the same', () => {
@@ -90,6 +96,34 @@ test('figure 5.5 opens on its loci, the tables on their planes, their cases and 
   app.run('open', 'figure-5.6');
   assert.ok(!app.isDrawerOpen);
   assert.ok(!openedApp(app.link).isDrawerOpen);
+});
+
+test('each table of cycles opens on the first of its gears that swings, and its link opens the same', () => {
+  const app = openedApp();
+  const usual = Object.fromEntries(engine.models()[0].parameters.map((one) => [one.name, one.default]));
+  for (const { name, entry } of tabled) {
+    app.run('open', name);
+    const { parameters, run, lens, views } = app.state;
+    const number = entry?.id.split(' ')[1] ?? '';
+    assert.deepEqual([lens, views], ['cycles', { cycles: 'tables', cycleTable: number }]);
+    const { start, fixed, rows } = thesisTables[number];
+    assert.ok(rows.some((row) => Object.entries({ ...usual, ...fixed, ...row }).every(([key, value]) => parameters[key] === value)), `${name}: a gear of the table`);
+    assert.deepEqual(run, { initial: { torsionAngle: start } });
+    assert.ok(['shimmies', 'rattles'].includes(sessionOf(app).outlook.verdict), name);
+    const again = openedApp(app.link);
+    assert.deepEqual([again.notes, again.state.views, again.state.parameters, again.state.story], [[], views, parameters, { name, step: 0 }], name);
+  }
+});
+
+test('the rows of the tables are the gears of the thesis’ figures', () => {
+  const gears = (/** @type {string} */ title) => new Set(entries.filter(({ id, title: one }) => /^Figure [56]/.test(id) && one.startsWith(title)).map(({ run }) => JSON.stringify(run)));
+  const rowOf = (/** @type {string} */ number, /** @type {number} */ i) => ({ ...thesisTables[number].fixed, ...thesisTables[number].rows[i] });
+  const isThere = (/** @type {Record<string, number>} */ values, /** @type {number} */ start, /** @type {string} */ title) => [...gears(title)].some((text) => {
+    const { parameters, initial } = JSON.parse(text);
+    return initial.torsionAngle === start && Object.entries({ torsionalStiffness: 100_000, freeplayAngle: 0, ...values }).every(([key, value]) => ({ torsionalStiffness: 100_000, freeplayAngle: 0, ...parameters })[key] === value);
+  });
+  for (const [number, title] of [['5.8', 'limit cycle'], ['5.10', 'limit cycle'], ['5.12', 'limit cycle'], ['5.13', 'limit cycle'], ['6.1', 'torsionAngle with'], ['6.2', 'torsionAngle with'], ['6.3', 'lateralDeformation with'], ['6.4', 'lateralDeformation with'], ['6.5', 'limit cycle with']])
+    thesisTables[number].rows.forEach((_, i) => assert.ok(isThere(rowOf(number, i), thesisTables[number].start, title), `${number} ${JSON.stringify(rowOf(number, i))}`));
 });
 
 test('they are found by their number and by their words, in both languages', () => {

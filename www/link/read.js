@@ -16,6 +16,7 @@
 
 import { isVelocityUnit } from '../controls/unit.js';
 import { isOrbit } from '../lens/cycles/settings.js';
+import { tableNumbers } from '../lens/cycles/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
 import { isHistories, isMode, isSorting, readLocus, readPlane } from '../lens/stability/settings.js';
@@ -201,6 +202,9 @@ const viewed = {
   histories: isHistories,
   casesSort: isSorting,
   cycleOrbit: isOrbit,
+  cycleTable: (value) => tableNumbers.includes(value),
+  cycleTableSort: isSorting,
+  methodsSort: isSorting,
 };
 
 /**

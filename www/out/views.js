@@ -47,6 +47,8 @@ const cyclePanels = {
     { name: 'cycle', element: '#lens-panel .cycle-orbit', title: titled('cycle.title') },
     { name: 'multipliers', element: '#lens-panel .multipliers', title: titled('cycle.multipliers') },
   ],
+  methods: [{ name: 'three-methods', element: '#lens-panel .methods-plot shimmy-canvas', title: titled('cycles.view.methods') }],
+  tables: [],
 };
 
 /** @param {Looked['views']} views @returns {Shown[]} */

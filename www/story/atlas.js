@@ -7,6 +7,7 @@
  * @typedef {import('./story.js').Setting} Setting
  */
 
+import { tableNumbers, thesisTables } from '../lens/cycles/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readyBesides } from '../lens/stability/beside-settings.js';
 import { thesisLocus, writePlane } from '../lens/stability/settings.js';
@@ -42,6 +43,7 @@ const tables = {
   5.1: { drawer: true },
   ...Object.fromEntries(readyBesides.filter(({ table }) => table).map(({ table, text }) => [table, { lens: 'stability', views: { stability: 'beside', beside: text } }])),
   5.7: { lens: 'stability', views: { stability: 'histories' } },
+  ...Object.fromEntries(tableNumbers.map((number) => [number, { lens: 'cycles', views: { cycles: 'tables', cycleTable: number } }])),
 };
 
 /** The law of the freeplay has no run: a gear that rattles shows it. @type {NonNullable<AtlasEntry['run']>} */
@@ -50,13 +52,22 @@ const rattling = {
 };
 
 /**
- * What has no run of its own has one that shows it: a law a gear that rattles; a plane or a table the gear of the thesis, touched.
+ * What has no run of its own has one that shows it: a law a gear that rattles; a table of cycles the first of its gears that
+ * swings; a plane or another table the gear of the thesis, touched.
  * @param {AtlasEntry} entry
  * @returns {AtlasEntry['run']}
  */
-function runOf({ view, run, map }) {
+function runOf({ id, view, run, map }) {
   if (view === 'freeplay-law') return rattling;
+  const table = thesisTables[id.split(' ')[1]];
+  if (view === 'table' && table) return firstOf(table);
   return map || view === 'table' ? { model: 'torsional', parameters: map?.parameters, initial: { torsionAngle: 0.01 } } : run;
+}
+
+/** Without a gap the gears of chapter 6 are calm. @param {import('../lens/cycles/thesis-tables.js').ThesisTable} table @returns {NonNullable<AtlasEntry['run']>} */
+function firstOf({ start, fixed, rows }) {
+  const first = rows.find(({ freeplayAngle = 1 }) => freeplayAngle > 0) ?? rows[0];
+  return { model: 'torsional', parameters: { ...fixed, ...first }, initial: { torsionAngle: start } };
 }
 
 /** @param {readonly AtlasEntry[]} entries @returns {Story[]} in the order of the thesis, a chapter's tables after its figures */

@@ -3,10 +3,12 @@
  *
  *     view.cycles=cycle                which view
  *     view.cycleOrbit=space,56,20      how the cycle is drawn: a portrait, or in space from where
+ *     view.cycleTable=5.12             which table
+ *     view.cycleTableSort=…,down       by which column it is sorted; view.methodsSort likewise
  */
 
 /** The views, the first is the usual one; what each is stands in views.js. */
-export const viewNames = /** @type {const} */ (['cycle']);
+export const viewNames = /** @type {const} */ (['cycle', 'methods', 'tables']);
 
 /** How a cycle can be drawn. */
 export const orbitViews = /** @type {const} */ (['portrait', 'deformation', 'space']);

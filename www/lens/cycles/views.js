@@ -1,5 +1,7 @@
 import { html } from 'lit';
 import './cycle.js';
+import './methods.js';
+import './tables.js';
 
 /**
  * The views of the lens *Cycles*. A new one is an element of its own, a panel.js, called `shimmy-<name>`; its line in this
@@ -20,5 +22,15 @@ export const cycleViews = {
     template: ({ voice, quantities, settings, isVeiled, watch, outlook }) => html`<shimmy-cycle class="stability-panel" .voice=${voice} .quantities=${quantities}
       .settings=${settings} .isVeiled=${isVeiled} .watch=${watch} .outlook=${outlook}></shimmy-cycle>`,
     fits: true, needsCycle: true,
+  },
+  methods: {
+    template: ({ voice, quantities, settings, isVeiled, watch }) => html`<shimmy-methods class="stability-panel" .voice=${voice} .quantities=${quantities}
+      .settings=${settings} .isVeiled=${isVeiled} .watch=${watch}></shimmy-methods>`,
+    fits: true, needsCycle: true,
+  },
+  tables: {
+    template: ({ voice, quantities, settings, isVeiled }) => html`<shimmy-cycle-tables class="stability-panel" .voice=${voice} .quantities=${quantities}
+      .settings=${settings} .isVeiled=${isVeiled}></shimmy-cycle-tables>`,
+    fits: false, needsCycle: false,
   },
 };

@@ -1,0 +1,151 @@
+import { html, nothing } from 'lit';
+import { valuesLine } from '../../out/values-line.js';
+import '../../view/canvas.js';
+import { quantities as shown, valueOf } from '../../view/quantities.js';
+import { roundLimit } from '../../view/scale.js';
+import { drawThreeMethods } from '../../view/three-methods.js';
+import { decimalsFor } from '../../words/number.js';
+import { figuresTable } from '../stability/figures-table.js';
+import { lowerName } from '../stability/say.js';
+import { amplitudeColumn, figureColumn, parameterColumn } from './columns.js';
+import { RowsPanel } from './rows-panel.js';
+import { digitsOf } from './say.js';
+import { tableOutButtons } from './table-out.js';
+import { offBy, threeMethods } from './three-methods.js';
+
+/**
+ * @typedef {import('./three-methods.js').Answer} Answer
+ * @typedef {import('../../words/voice.js').Voice} Voice
+ * @typedef {{ spec: number, answer: Answer | null, isOld: boolean }} Row `spec`: the speed, in m/s
+ */
+
+const methods = /** @type {const} */ (['describing', 'shooting', 'simulation']);
+/** Speeds of the curves, in m/s; the table has every other. */
+const [from, to, step] = [30, 100, 5];
+const speeds = Array.from({ length: (to - from) / step + 1 }, (_, i) => from + i * step);
+const isOfTable = (/** @type {{ spec: number }} */ { spec }) => (spec - from) % (2 * step) === 0;
+/** The file has more columns than there is room for. */
+const spare = ['describingFrequency', 'simulationFrequency'];
+const percent = 100;
+
+/**
+ * Three methods, one number: the amplitude and the frequency of the gear's cycle by describing functions, by shooting and by
+ * simulation, side by side with what sets them apart; and the same over the speed. Commands: `view` with how the table is
+ * sorted, `point` with a speed.
+ * @extends {RowsPanel<number, Answer>}
+ */
+export class ThreeMethods extends RowsPanel {
+  /** Of the gear as it is. @type {{ key: string, answer: Answer | null }} */ #here = { key: '', answer: null };
+  /** The axis holds while a slider moves. @type {{ scales: object | null, limit: number }} */ #axis = { scales: null, limit: 1 };
+
+  wanted() {
+    const { scene } = this;
+    if (!scene || !this.quantity('velocity')) return null;
+    const others = Object.entries(scene.parameters).filter(([name]) => name !== 'velocity');
+    return { key: JSON.stringify([scene.object, others]), shape: 'speeds', specs: speeds };
+  }
+
+  /** @param {number} velocity @param {Answer | null} before */
+  answer(velocity, before) {
+    return this.askCycles((cycles) => threeMethods(cycles, { velocity }, before?.cycle ?? null));
+  }
+
+  /** The gear as it is, asked once. @param {import('../../run/scene.js').Scene} scene */
+  #look({ object, parameters }) {
+    const key = JSON.stringify([object, parameters]);
+    if (key !== this.#here.key) this.#here = { key, answer: this.askCycles((cycles) => threeMethods(cycles, {}, this.cycle)) };
+    return this.#here.answer;
+  }
+
+  /** @param {Voice} voice @param {import('../../run/scene.js').Scene} scene */
+  content(voice, scene) {
+    const answer = this.#look(scene);
+    const velocity = this.quantity('velocity');
+    const columns = velocity ? this.#columns(velocity, voice) : [];
+    const sorting = this.settings.methodsSort ?? '';
+    const note = valuesLine(this.quantities.filter(({ name }) => name !== 'velocity'), scene.parameters, voice);
+    return html`
+      <div class="panel-scroll methods" tabindex="0" role="group" aria-label=${voice.say('cycles.view.methods')}>
+        ${answer ? this.#sideBySide(answer, voice) : html`<p class="panel-empty">${voice.say('stability.none')}</p>`}
+        ${velocity ? html`
+          <div class="methods-plot"><shimmy-canvas .label=${voice.say('methods.plot', { from, to })} .paint=${this.#paint}></shimmy-canvas></div>
+          ${figuresTable(this, { caption: voice.say('methods.table', { from, to }), columns: columns.filter(({ name }) => !spare.includes(name)), rows: this.items.filter(isOfTable), of: 'methodsSort', sorting, classOf: ({ spec, isOld }) => [this.isNow({ velocity: spec }) ? 'now' : '', isOld ? 'old' : ''].join(' ') }, voice)}
+          <p class="table-out">
+            ${tableOutButtons({ said: this.said, take: (format) => this.take(format, { file: 'shimmy-three-methods', title: voice.say('methods.table', { from, to }), note, columns, rows: this.items.filter(isOfTable) }, sorting, voice) }, voice)}
+          </p>` : nothing}
+      </div>`;
+  }
+
+  /** @param {Answer} answer @param {Voice} voice */
+  #sideBySide(answer, voice) {
+    const { shooting } = answer;
+    const states = /** @type {const} */ (['torsionAngle', 'lateralDeformation']);
+    const value = (/** @type {typeof states[number]} */ name, /** @type {number} */ amplitude) => valueOf(shown[name], amplitude, digitsOf(amplitude * shown[name].perSI), voice);
+    const cell = (/** @type {string} */ text, /** @type {number | null} */ share) => html`<td class="figure">${text}${share === null ? nothing : html`<span class="off">${signedPercent(share, voice)}</span>`}</td>`;
+    return html`
+      <div class="figures-table three" role="region" tabindex="0" aria-label=${voice.say('methods.here')}><table>
+        <caption>${voice.say('methods.here')}</caption>
+        <thead><tr><td></td>${methods.map((method) => html`<th scope="col" class="figure">${voice.say(`methods.${method}`)}</th>`)}</tr></thead>
+        <tbody>
+          ${states.map((name) => html`<tr><th scope="row">${shown[name].symbol} <span class="word">${voice.say(`state.${name}`)}</span></th>${methods.map((method) => {
+            const number = answer[method];
+            return cell(number ? `±${value(name, number[name])}` : voice.say('methods.none'), method === 'shooting' ? null : offBy(number, shooting, name));
+          })}</tr>`)}
+          <tr><th scope="row">f <span class="word">${voice.say('cycle.frequency').toLocaleLowerCase(voice.language)}</span></th>${methods.map((method) => {
+            const number = answer[method];
+            return cell(number ? `${voice.number(number.frequency, 3)} Hz` : '–', method === 'shooting' ? null : offBy(number, shooting, 'frequency'));
+          })}</tr>
+        </tbody>
+      </table></div>`;
+  }
+
+  /** @param {import('../../controls/quantity.js').Quantity} velocity @param {Voice} voice @returns {import('./table-out.js').OutColumn<Row>[]} */
+  #columns(velocity, voice) {
+    const press = {
+      does: (/** @type {Row} */ { spec }) => voice.say('tables.set', { values: `${lowerName(velocity, voice)} ${velocity.write(spec, voice)}` }),
+      set: (/** @type {Row} */ { spec }) => this.setOthers({ velocity: spec }),
+    };
+    const amplitude = (/** @type {typeof methods[number]} */ method) =>
+      amplitudeColumn('torsionAngle', (/** @type {Row} */ { answer }) => answer?.[method]?.torsionAngle ?? null, voice, { name: method, of: voice.say(`methods.${method}.short`) });
+    const off = (/** @type {'describing' | 'simulation'} */ method) => figureColumn({
+      name: `${method}Off`, unit: '%', head: `Δ ${voice.say(`methods.${method}.short`)}, %`, digits: 2, isSigned: true,
+      value: (/** @type {Row} */ { answer }) => { const share = offBy(answer?.[method] ?? null, answer?.shooting ?? null, 'torsionAngle'); return share === null ? null : Number((percent * share).toFixed(5)); },
+    }, voice);
+    const frequency = (/** @type {typeof methods[number]} */ method) => figureColumn({
+      name: `${method}Frequency`, unit: 'Hz', head: `f ${voice.say(`methods.${method}.short`)}, Hz`, digits: 5, value: (/** @type {Row} */ { answer }) => answer?.[method]?.frequency ?? null,
+    }, voice);
+    return [
+      parameterColumn(velocity, (/** @type {Row} */ { spec }) => spec, voice, press),
+      amplitude('shooting'), amplitude('describing'), off('describing'), amplitude('simulation'), off('simulation'), frequency('shooting'), frequency('describing'), frequency('simulation'),
+    ];
+  }
+
+  /** @type {import('../../view/canvas.js').Paint} */
+  #paint = (context, size) => {
+    const { voice, theme, scene, items } = this;
+    const quantity = this.quantity('velocity');
+    if (!voice || !theme || !scene || !quantity) return;
+    const places = items.map(({ spec, answer }) => ({
+      value: spec, describing: answer?.describing?.torsionAngle ?? null, shooting: answer?.shooting?.torsionAngle ?? null, simulation: isOfTable({ spec }) ? answer?.simulation?.torsionAngle ?? null : null,
+    }));
+    this.#hold(places.flatMap(({ describing, shooting, simulation }) => [describing ?? 0, shooting ?? 0, simulation ?? 0]), scene.scales);
+    const names = { describing: voice.say('methods.describing'), shooting: voice.say('methods.shooting'), simulation: voice.say('methods.simulation') };
+    drawThreeMethods(context, size, { quantity, from, to, now: scene.parameters.velocity, places, limit: this.#axis.limit, names }, theme, voice);
+  };
+
+  /** @param {number[]} amplitudes @param {object} scales */
+  #hold(amplitudes, scales) {
+    const most = Math.max(...amplitudes, 1e-4);
+    if (this.#axis.scales === scales && most <= this.#axis.limit && most > 0.25 * this.#axis.limit) return;
+    this.#axis = { scales, limit: (roundLimit((most * 180) / Math.PI) * Math.PI) / 180 };
+  }
+}
+
+/** @param {number} share @param {Voice} voice */
+function signedPercent(share, voice) {
+  const value = percent * share;
+  if (Math.abs(value) < 0.0005) return voice.say('methods.same');
+  return voice.say('methods.percent', { share: `${value > 0 ? '+' : ''}${voice.number(value, Math.min(3, decimalsFor(value, 2)))}` });
+}
+
+customElements.define('shimmy-methods', ThreeMethods);
