@@ -18,6 +18,14 @@ export function controlCommands(app) {
     point: ({ values, gesture }) => {
       app.session?.setPoint(values, gesture);
     },
+    /**
+     * Puts the gear on a motion that a lens knows: a cycle, or beside one.
+     * @param {{ values: Record<string, number>, state: Record<string, number> }} motion in SI
+     */
+    motion: ({ values, state }) => {
+      app.session?.setMotion(values, state);
+      app.settled();
+    },
     /** @param {import('../controls/unit.js').VelocityUnit} velocityUnit */
     velocityUnit: (velocityUnit) => app.store.update({ velocityUnit }),
   };

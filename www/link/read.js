@@ -15,7 +15,7 @@
  */
 
 import { isVelocityUnit } from '../controls/unit.js';
-import { isOrbit } from '../lens/cycles/settings.js';
+import { isOrbit, readBranch } from '../lens/cycles/settings.js';
 import { tableNumbers } from '../lens/cycles/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
@@ -168,6 +168,10 @@ export const readers = {
     const areTaken = beside.lists.every(({ parameter, values }) => values.every((one) => accepted(reading, { [parameter]: one }, {})));
     return areTaken ? looked(reading, 'beside', value, [beside.x, beside.y]) : 'refused';
   },
+  'view.branch': (reading, value) => {
+    const branch = readBranch(value, reading.table.parameters);
+    return branch ? looked(reading, 'branch', value, [branch.range]) : 'unclear';
+  },
   story: ({ state }, value) => {
     const [name, step = '0'] = value.split(',');
     if (!/^[\w.-]+$/.test(name) || !/^\d{1,3}$/.test(step)) return 'unclear';
@@ -202,6 +206,7 @@ const viewed = {
   histories: isHistories,
   casesSort: isSorting,
   cycleOrbit: isOrbit,
+  branchSweep: (value) => value === 'on' || value === 'off',
   cycleTable: (value) => tableNumbers.includes(value),
   cycleTableSort: isSorting,
   methodsSort: isSorting,

@@ -47,6 +47,11 @@ const cyclePanels = {
     { name: 'cycle', element: '#lens-panel .cycle-orbit', title: titled('cycle.title') },
     { name: 'multipliers', element: '#lens-panel .multipliers', title: titled('cycle.multipliers') },
   ],
+  branch: [
+    { name: 'bifurcation', element: '#lens-panel .branch-plane shimmy-canvas', title: titled('cycles.view.branch') },
+    { name: 'cycle', element: '#lens-panel .branch-orbit', title: titled('cycle.title') },
+    { name: 'multipliers', element: '#lens-panel .multipliers', title: titled('cycle.multipliers') },
+  ],
   methods: [{ name: 'three-methods', element: '#lens-panel .methods-plot shimmy-canvas', title: titled('cycles.view.methods') }],
   tables: [],
 };

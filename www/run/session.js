@@ -213,6 +213,27 @@ export class Session {
   }
 
   /**
+   * Puts the run on another motion: values of the gear and a state, which undo takes back together.
+   * @param {Record<string, number>} values in SI; what would follow them is parted from them
+   * @param {Record<string, number>} state
+   */
+  setMotion(values, state) {
+    const place = this.#place;
+    try {
+      this.#recover();
+      this.#live.apply({ ...(Object.keys(values).length > 0 && { set: values }), state });
+    } catch {
+      // Whoever asks has values and state from the engine.
+      return;
+    }
+    this.#live.settle();
+    this.#lookout.isStale = true;
+    const links = linksBrokenByPoint(values, this.#store.state.links);
+    this.#store.update({ parameters: { ...this.#live.parameters }, links }, null, place);
+    this.settle();
+  }
+
+  /**
    * Joins a value to the values it follows, or parts it from them.
    * @param {string} name
    */

@@ -20,6 +20,7 @@ export class CycleWatch {
   /** Whether the gear has changed since the cycle was found, or lost. */ isOwed = false;
   /** @type {Pick<Gear, 'object' | 'parameters'> | null} */ #gear = null;
   #searchedAt = -Infinity;
+  /** Where the next one is, as somebody knows. @type {Guess | null} */ #hint = null;
 
   /**
    * @param {Gear} gear
@@ -29,7 +30,8 @@ export class CycleWatch {
   follow({ object, parameters, cycles }, now) {
     const before = this.#gear;
     if (!before || before.object !== object || !isSameRecord(before.parameters, parameters)) {
-      const guess = before?.object === object ? guessOf(this.cycle) : null;
+      const guess = this.#hint ?? (before?.object === object ? guessOf(this.cycle) : null);
+      this.#hint = null;
       this.#gear = { object, parameters };
       this.isOwed = true;
       if (guess && this.#take(() => cycles.near(guess))) return true;
@@ -48,6 +50,12 @@ export class CycleWatch {
   goTo({ object, parameters, cycles }, guess, now) {
     this.#gear = { object, parameters };
     if (!guess || !this.#take(() => cycles.near(guess))) this.#search(cycles, now);
+  }
+
+  /** The gear is about to be put on a cycle that is known. @param {Guess} guess */
+  expect(guess) {
+    this.#hint = guess;
+    this.#gear = null;
   }
 
   /** First where the motion goes: of several cycles that is the one that one sees. @param {CycleLooks} cycles @param {number} now */

@@ -1,14 +1,10 @@
 import { html, nothing } from 'lit';
 import { tell } from '../../command.js';
 import { symbolOf } from '../../controls/symbol.js';
-import { limitsFor } from '../../run/fit.js';
 import '../../view/canvas.js';
-import { drawDeformationPortrait } from '../../view/deformation-portrait.js';
 import { firstLook, turnedByDrag, turnedByKey } from '../../view/look.js';
 import { drawMultipliers } from '../../view/multipliers.js';
-import { drawOrbit } from '../../view/orbit.js';
-import { drawPhasePortrait } from '../../view/phase-portrait.js';
-import { stableCycle, unstableCycle } from '../../view/strokes.js';
+import { OrbitPicture } from './orbit-picture.js';
 import { CyclePanel } from './panel.js';
 import { amplitudeOf, kindOf, multiplierInWords, multipliersOf, nearnessInWords } from './say.js';
 import { orbitOf, orbitViews } from './settings.js';
@@ -31,8 +27,7 @@ const symbols = /** @type {const} */ ({ torsionAngle: 'ψ', torsionRate: 'ψ̇',
 export class Cycle extends CyclePanel {
   /** How the orbit is looked at while a hand turns it. @type {Look | null} */ #turning = null;
   /** @type {{ x: number, y: number } | null} */ #grip = null;
-  /** The axes hold while a slider moves. @type {{ scales: object | null, limits: import('../../run/fit.js').Swing }} */
-  #axes = { scales: null, limits: limitsFor({ angle: 0, rate: 0, deformation: 0 }) };
+  #picture = new OrbitPicture();
 
   get #orbit() {
     return orbitOf(this.settings.cycleOrbit ?? '');
@@ -122,33 +117,15 @@ export class Cycle extends CyclePanel {
   /** The motion itself goes on each frame. @param {import('../../run/scene.js').Scene} scene @param {import('../../style/theme.js').Theme} theme */
   draw(scene, theme) {
     super.draw(scene, theme);
-    this.#hold(scene);
+    this.#picture.hold(scene, this.isVeiled ? null : this.cycle);
     /** @type {import('../../view/canvas.js').Canvas | null} */ (this.querySelector('.cycle-orbit'))?.redraw();
-  }
-
-  /** @param {import('../../run/scene.js').Scene} scene */
-  #hold({ scales }) {
-    const before = this.#axes.scales === scales ? this.#axes.limits : scales.limits;
-    const { torsionAngle = 0, torsionRate = 0, lateralDeformation = 0 } = (this.isVeiled ? null : this.cycle?.amplitude) ?? {};
-    const isWithin = torsionAngle <= before.angle && torsionRate <= before.rate && lateralDeformation <= before.deformation;
-    const wanted = isWithin ? before : limitsFor({ angle: Math.max(before.angle / 1.12, torsionAngle), rate: Math.max(before.rate / 1.12, torsionRate), deformation: Math.max(before.deformation / 1.12, lateralDeformation) });
-    this.#axes = { scales, limits: wanted };
   }
 
   /** @type {import('../../view/canvas.js').Paint} */
   #paintOrbit = (context, size) => {
     const { voice, theme, scene, isVeiled } = this;
     if (!voice || !theme || !scene) return;
-    const cycle = isVeiled ? null : this.cycle;
-    const motion = {
-      limits: this.#axes.limits, trail: scene.orbitPast, orbit: cycle?.orbit ?? {}, orbitLabel: cycle ? voice.say(cycle.stable ? 'cycle.key.stable' : 'cycle.key.unstable') : '',
-      orbitStyle: cycle?.stable ? stableCycle : unstableCycle,
-      state: scene.state, exposed: scene.exposed, freeplay: scene.parameters.freeplayAngle ?? 0, veiled: isVeiled,
-    };
-    const { name } = this.#orbit;
-    if (name === 'space') drawOrbit(context, size, { ...motion, look: this.#look }, theme, voice);
-    else if (name === 'deformation') drawDeformationPortrait(context, size, motion, theme, voice);
-    else drawPhasePortrait(context, size, motion, theme, voice);
+    this.#picture.paint(context, size, { scene, cycle: isVeiled ? null : this.cycle, name: this.#orbit.name, look: this.#look, veiled: isVeiled }, theme, voice);
   };
 
   /** @type {import('../../view/canvas.js').Paint} */

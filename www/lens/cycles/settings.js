@@ -3,12 +3,22 @@
  *
  *     view.cycles=cycle                which view
  *     view.cycleOrbit=space,56,20      how the cycle is drawn: a portrait, or in space from where
+ *     view.branch=velocity:1:120,torsionAngle      what varies, and what stands upward
+ *     view.branchSweep=on              whether a simulated sweep lies over it
  *     view.cycleTable=5.12             which table
  *     view.cycleTableSort=…,down       by which column it is sorted; view.methodsSort likewise
  */
 
+import { readRange, writeRange } from '../stability/settings.js';
+import { heights } from './branches.js';
+
+/**
+ * @typedef {import('../../run/linear-looks.js').Range} Range
+ * @typedef {{ range: Range, height: import('./branches.js').Height }} Branch
+ */
+
 /** The views, the first is the usual one; what each is stands in views.js. */
-export const viewNames = /** @type {const} */ (['cycle', 'methods', 'tables']);
+export const viewNames = /** @type {const} */ (['cycle', 'branch', 'methods', 'tables']);
 
 /** How a cycle can be drawn. */
 export const orbitViews = /** @type {const} */ (['portrait', 'deformation', 'space']);
@@ -28,3 +38,27 @@ export function isOrbit(text) {
   if (!orbitViews.some((one) => one === name)) return false;
   return yaw === undefined || (name === 'space' && Math.abs(Number(yaw)) <= 180 && Number(pitch) <= 90);
 }
+
+/**
+ * The diagram that a setting names; over the speed where it names none of this gear.
+ * @param {string} text
+ * @param {readonly { name: string, min: number, max: number }[]} parameters
+ * @returns {Branch}
+ */
+export function branchOf(text, parameters) {
+  const read = readBranch(text, parameters);
+  if (read) return read;
+  const { name, min, max } = parameters.find((one) => one.name === 'velocity') ?? parameters[0];
+  return { range: { parameter: name, from: min, to: max }, height: heights[0] };
+}
+
+/** @param {string} text @param {readonly { name: string }[]} parameters @returns {Branch | null} null for what is no diagram of these */
+export function readBranch(text, parameters) {
+  const [first, second = heights[0], ...more] = text.split(',');
+  const range = readRange(first, parameters);
+  const height = heights.find((one) => one === second);
+  return range && height && more.length === 0 ? { range, height } : null;
+}
+
+/** @param {Branch} branch */
+export const writeBranch = ({ range, height }) => `${writeRange(range)},${height}`;

@@ -1,4 +1,5 @@
 import { html } from 'lit';
+import './branch.js';
 import './cycle.js';
 import './methods.js';
 import './tables.js';
@@ -21,6 +22,11 @@ export const cycleViews = {
   cycle: {
     template: ({ voice, quantities, settings, isVeiled, watch, outlook }) => html`<shimmy-cycle class="stability-panel" .voice=${voice} .quantities=${quantities}
       .settings=${settings} .isVeiled=${isVeiled} .watch=${watch} .outlook=${outlook}></shimmy-cycle>`,
+    fits: true, needsCycle: true,
+  },
+  branch: {
+    template: ({ voice, quantities, settings, isVeiled, watch, outlook }) => html`<shimmy-branch class="stability-panel" .voice=${voice} .quantities=${quantities}
+      .settings=${settings} .isVeiled=${isVeiled} .watch=${watch} .outlook=${outlook}></shimmy-branch>`,
     fits: true, needsCycle: true,
   },
   methods: {

@@ -1,0 +1,184 @@
+// Branches of cycles: how they are asked for, met by a hand, walked along, and drawn.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Quantity } from '../../www/controls/quantity.js';
+import { BranchWork } from '../../www/lens/cycles/branch-work.js';
+import { along, cycleAt, heightsOf, highest, nearest, slopeOfSmall, turnsOf } from '../../www/lens/cycles/branches.js';
+import { branchOf, readBranch, writeBranch } from '../../www/lens/cycles/settings.js';
+import { settledAt, stopsOf } from '../../www/lens/cycles/simulated-sweep.js';
+import { readLink } from '../../www/link/read.js';
+import { cycleLooks } from '../../www/run/cycle-looks.js';
+import { drawBifurcation } from '../../www/view/bifurcation.js';
+import { voiceOf } from '../../www/words/voice.js';
+import { opened, table } from './opened-session.mjs';
+import { recordingContext, written } from './plot-recorder.mjs';
+import { engine } from './stories.mjs';
+import { theme } from './theme.mjs';
+
+const english = voiceOf('en');
+const speeds = engine.bifurcation({ model: 'torsional', parameters: { dampingConstant: 20 }, parameter: 'velocity', from: 10, to: 80, probes: 0 });
+const velocity = new Quantity(/** @type {typeof table.parameters[number]} */ (table.parameters.find(({ name }) => name === 'velocity')));
+
+/** @param {number} got @param {number} expected @param {number} error */
+const near = (got, expected, error) => assert.ok(Math.abs(got - expected) <= error, `${got} for ${expected}`);
+
+test('a diagram is readable text; without one it is over the speed', () => {
+  const text = 'dampingConstant:0:60,lateralDeformation';
+  assert.equal(writeBranch(branchOf(text, table.parameters)), text);
+  assert.equal(writeBranch(branchOf('', table.parameters)), 'velocity:1:120,torsionAngle');
+  assert.equal(writeBranch(branchOf('r:0:30', [{ name: 'r', min: 0, max: 30 }])), 'r:0:30,torsionAngle');
+  for (const wrong of ['velocity', 'velocity:80:10', 'speed:1:2', 'velocity:1:2,mood', 'velocity:1:2,frequency,more']) assert.equal(readBranch(wrong, table.parameters), null, wrong);
+  const read = (/** @type {string} */ link) => readLink(`#shimmy=2&lens=cycles&${link}`, [table], ({ parameters }) => (parameters.velocity ?? 1) > 0)?.problems.map(({ reason }) => reason);
+  assert.deepEqual(read('view.cycles=branch&view.branch=velocity:1:60,frequency&view.branchSweep=on'), []);
+  assert.deepEqual(read('view.branch=velocity:-1:60'), ['refused']);
+  assert.deepEqual(read('view.branch=velocity:60:1&view.branchSweep=maybe'), ['unclear', 'unclear']);
+});
+
+test('one diagram is worked on at a time, then the newest that was asked for; the old one stays and is told to be old', async () => {
+  /** @type {{ key: string, done: (diagram: any) => void, fail: (reason: any) => void, signal: AbortSignal }[]} */
+  const jobs = [];
+  const work = new BranchWork((/** @type {any} */ spec, { signal }) => new Promise((done, fail) => {
+    jobs.push({ key: spec.key, done, fail, signal });
+    signal.addEventListener('abort', () => fail(signal.reason));
+  }));
+  let changes = 0;
+  work.onChange = () => { changes++; };
+  const look = (/** @type {string} */ key, shape = 'v') => work.look({ key, shape, spec: /** @type {any} */ ({ key }) });
+  const settle = () => new Promise((done) => { setTimeout(done); });
+  look('a');
+  look('b');
+  look('c');
+  assert.deepEqual(jobs.map(({ key }) => key), ['a']);
+  jobs[0].done('diagram a');
+  await settle();
+  assert.deepEqual([work.diagram, work.isOld, changes, jobs.map(({ key }) => key)], ['diagram a', true, 1, ['a', 'c']]);
+  jobs[1].done('diagram c');
+  await settle();
+  assert.deepEqual([work.diagram, work.isOld], ['diagram c', false]);
+  look('d');
+  assert.deepEqual([work.diagram, work.isOld], ['diagram c', true]);
+  jobs[2].fail(new Error('not finite'));
+  await settle();
+  assert.deepEqual([work.diagram, work.isFailed], [null, true]);
+  look('e');
+  look('f', 'c');
+  await settle();
+  assert.deepEqual([jobs[3].signal.aborted, jobs.at(-1)?.key, work.isFailed], [true, 'f', false], 'of other axes nothing is waited for');
+  work.stop();
+  await settle();
+  assert.ok(jobs.at(-1)?.signal.aborted);
+});
+
+test('a hand meets the nearest cycle, and never the point at which a branch has none yet', () => {
+  const places = { x: (/** @type {number} */ v) => 10 * v, y: (/** @type {number} */ a) => 300 - 1000 * a };
+  const [branch] = speeds.cycles;
+  const place = nearest(speeds, 'torsionAngle', places, { x: 405, y: 0 });
+  assert.ok(place);
+  near(branch.velocity[place.index], 40, 2);
+  // theory.md: v = 40, c = 20: 18.057°.
+  const cycle = engine.limitCycle({ model: 'torsional', parameters: { dampingConstant: 20, velocity: branch.velocity[place.index] } }, cycleAt(branch, place.index));
+  near(cycle.amplitude.torsionAngle, branch.amplitude[place.index], 1e-7);
+  near(branch.amplitude[place.index], (18.057 * Math.PI) / 180, 2e-3);
+  const first = nearest(speeds, 'torsionAngle', places, { x: 276, y: 300 });
+  assert.ok(first && first.index > 0 && branch.amplitude[first.index] > 0);
+  assert.equal(nearest({ ...speeds, cycles: [] }, 'torsionAngle', places, { x: 0, y: 0 }), null);
+  assert.equal(along(branch, 1, -1), 1, 'the Hopf point itself is no cycle');
+  assert.equal(along(branch, branch.amplitude.length - 1, 5), branch.amplitude.length - 1);
+  assert.equal(heightsOf(branch, 'frequency'), branch.frequency);
+  near(highest(speeds, 'torsionAngle'), Math.max(...branch.amplitude), 0);
+});
+
+test('small cycles grow in proportion to the gap: 1.28 times half of it at v = 50, c = 100', () => {
+  const gap = engine.bifurcation({ model: 'torsional', parameters: { velocity: 50, dampingConstant: 100 }, parameter: 'freeplayAngle', from: 0, to: 0.0524 });
+  // theory.md 4: 0.011171 rad at 0.5°.
+  near(slopeOfSmall(gap) ?? NaN, 0.011171 / ((0.5 * Math.PI) / 180), 2e-3);
+  assert.equal(slopeOfSmall(speeds), null);
+});
+
+test('a simulated sweep goes on from where it settled, and lies on the stable branch', () => {
+  const cycles = cycleLooks(engine, { model: 'torsional', parameters: { dampingConstant: 20 } }, () => ({}));
+  const stops = stopsOf({ from: 20, to: 40 }, 5);
+  assert.deepEqual(stops.map(({ value, way }) => `${value} ${way}`), ['20 up', '25 up', '30 up', '35 up', '40 up', '40 down', '35 down', '30 down', '25 down', '20 down']);
+  /** @type {import('../../www/lens/cycles/simulated-sweep.js').Settled | null} */
+  let settled = null;
+  const amplitudes = stops.map((stop) => {
+    settled = settledAt(cycles, 'velocity', stop, settled);
+    return settled.amplitude.torsionAngle ?? 0;
+  });
+  near(amplitudes[4], (18.057 * Math.PI) / 180, 1e-5);
+  amplitudes.forEach((amplitude, i) => near(amplitude, amplitudes[9 - i], 1e-6));
+  assert.deepEqual([amplitudes[0], amplitudes[1]], [0, 0]);
+});
+
+/** @param {Partial<import('../../www/view/bifurcation.js').Shown>} [others] */
+function drawn(others = {}) {
+  const recorder = recordingContext();
+  const [branch] = speeds.cycles;
+  const places = drawBifurcation(recorder.context, { width: 560, height: 320 }, {
+    quantity: velocity, from: 10, to: 80, height: 'torsionAngle', limit: 0.4,
+    rest: { across: speeds.equilibria.velocity, up: speeds.equilibria.velocity.map(() => 0), stable: speeds.equilibria.stable, turns: turnsOf(speeds, null) },
+    branches: [{ across: branch.velocity, up: branch.amplitude, stable: branch.stable, turns: turnsOf(speeds, 0) }], points: [{ kind: 'hopf', across: speeds.points[0].velocity, up: 0, text: 'Hopf 27.6 m/s' }],
+    law: null, sweep: [], now: { value: 50, motion: 0.1, cycle: { up: 0.3, stable: true } }, cursor: null, isOld: false, message: '', veiled: false, ...others,
+  }, theme, english);
+  assert.ok(places);
+  return { ...recorder, places };
+}
+
+test('stable is solid and unstable dashed, on the branch and at rest, and changes where the engine says', () => {
+  const { named, places } = drawn();
+  const lines = named('moveTo').filter(({ style }) => [theme.stable, theme.unstable].includes(style.strokeStyle) && style.lineWidth > 2);
+  const rest = lines.filter(({ args: [, y] }) => Math.abs(y - places.y(0)) < 1e-9);
+  const dashed = rest.filter(({ style }) => style.dash.length > 0);
+  // The critical speed of theory.md.
+  near(dashed[0].args[0], places.x(27.6), 0.05);
+  assert.ok(rest.some(({ style, args: [x] }) => style.dash.length === 0 && Math.abs(x - places.x(10)) < 1e-9));
+  const swapped = drawn({ branches: [{ across: [20, 30, 40, 50], up: [0.1, 0.2, 0.3, 0.35], stable: [0, 1, 1, 1], turns: [1] }], rest: null });
+  const pieces = swapped.named('moveTo').filter(({ style, args: [x] }) => style.lineWidth > 2 && x >= places.x(20) - 1e-6 && [theme.stable, theme.unstable].includes(style.strokeStyle));
+  assert.ok(pieces.some(({ style, args }) => style.dash.length > 0 && Math.abs(args[0] - places.x(20)) < 1e-9));
+  assert.ok(pieces.some(({ style, args }) => style.dash.length === 0 && Math.abs(args[0] - places.x(30)) < 1e-9));
+});
+
+test('the gear rides on it: a ring on its cycle, a dot at its swing; names, law and sweep are there where they are asked for', () => {
+  const { named, places } = drawn();
+  const rings = named('arc').map(({ args: [x, y] }) => [x, y]);
+  assert.ok(rings.some(([x, y]) => Math.abs(x - places.x(50)) < 1e-9 && Math.abs(y - places.y(0.3)) < 1e-9));
+  assert.ok(rings.some(([x, y]) => Math.abs(x - places.x(50)) < 1e-9 && Math.abs(y - places.y(0.1)) < 1e-9));
+  assert.ok(written(named('fillText')).includes('Hopf 27.6 m/s'));
+  const more = drawn({ law: { slope: 0.005, text: 'law' }, sweep: [{ value: 40, way: 'up', up: 0.2 }, { value: 40, way: 'down', up: 0.2 }], message: 'nothing here' });
+  for (const word of ['law', '▸ sweep up', '◂ sweep down', 'nothing here']) assert.ok(written(more.named('fillText')).includes(word), word);
+  const away = drawn({ now: { value: 200, motion: 0.1, cycle: null } });
+  assert.equal(away.named('arc').length, 0);
+});
+
+test('veiled, nothing tells of a branch: no line, no point, no swing', () => {
+  const { named, places } = drawn({ veiled: true });
+  assert.equal(named('arc').length, 0);
+  assert.ok(!written(named('fillText')).some((text) => text.includes('Hopf')));
+  assert.ok(!named('lineTo').some(({ style }) => style.strokeStyle === theme.unstable));
+  assert.ok(places);
+});
+
+test('the gear is put on a cycle, which one undo takes back with its value and its state', () => {
+  const { store, session } = opened();
+  session.advance(0.1);
+  const { velocity: before } = store.state.parameters;
+  const then = session.recipe;
+  const [branch] = speeds.cycles;
+  const at = branch.velocity.findIndex((/** @type {number} */ v) => v > 45);
+  const { state } = cycleAt(branch, at);
+  session.setMotion({ velocity: branch.velocity[at] }, state);
+  assert.equal(store.state.parameters.velocity, branch.velocity[at]);
+  near(session.outlook.amplitude.torsionAngle, branch.amplitude[at], 1e-5);
+  assert.ok(session.outlook.settled);
+  session.advance(0.05);
+  store.undo();
+  assert.equal(store.state.parameters.velocity, before);
+  near(session.time, 0.1, 1e-9);
+  assert.deepEqual(session.recipe, then);
+  store.redo();
+  assert.equal(store.state.parameters.velocity, branch.velocity[at]);
+  session.setMotion({}, Object.fromEntries(Object.entries(state).map(([name, value]) => [name, 0.5 * value])));
+  assert.equal(store.state.parameters.velocity, branch.velocity[at]);
+  assert.ok(session.outlook.present.amplitude < 0.7 * branch.amplitude[at]);
+});

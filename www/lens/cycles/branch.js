@@ -1,0 +1,321 @@
+import { html } from 'lit';
+import { tell } from '../../command.js';
+import { runJob } from '../../engine/workers.js';
+import { stateAt } from '../../run/cycle-looks.js';
+import '../../view/canvas.js';
+import { drawBifurcation } from '../../view/bifurcation.js';
+import { firstLook } from '../../view/look.js';
+import { drawMultipliers } from '../../view/multipliers.js';
+import { quantities as shown, valueOf } from '../../view/quantities.js';
+import { roundLimit } from '../../view/scale.js';
+import { parameterOption } from '../stability/option.js';
+import { plainSymbol, rangeInWords } from '../stability/say.js';
+import { along, cycleAt, heights, heightsOf, highest, nearest, slopeOfSmall, turnsOf } from './branches.js';
+import { BranchWork } from './branch-work.js';
+import { OrbitPicture } from './orbit-picture.js';
+import { RowsPanel } from './rows-panel.js';
+import { amplitudeOf, digitsOf, kindOf, multiplierInWords, multipliersOf } from './say.js';
+import { branchOf, writeBranch } from './settings.js';
+import { settledAt, stopsOf } from './simulated-sweep.js';
+
+/**
+ * @typedef {import('../../run/scene.js').Scene} Scene
+ * @typedef {import('../../words/voice.js').Voice} Voice
+ * @typedef {import('../../words/voice.js').Key} Key
+ * @typedef {import('./branches.js').Place} Place
+ * @typedef {import('./simulated-sweep.js').Stop} Stop
+ * @typedef {import('./simulated-sweep.js').Settled} Settled
+ */
+
+/** A press that moves no further than this is a click, in px; and so near to a branch it must be. */
+const widestClick = 6;
+const reach = 70;
+/** Stops of a simulated sweep, each way. */
+const stops = 41;
+/** Beside a cycle: so much smaller or larger than it. */
+const beside = 0.03;
+/** An axis stays while what is on it reaches this share of it. */
+const filled = 0.3;
+
+/**
+ * The bifurcation diagram: branches of cycles over a value of the gear, which rides on it. A click on a branch puts the gear on
+ * that cycle; from there it can be started just inside or just outside. Commands: `view` with what varies, `motion` with a cycle.
+ * @extends {RowsPanel<Stop, Settled>}
+ */
+export class Branch extends RowsPanel {
+  static properties = { ...RowsPanel.properties, heard: { state: true } };
+
+  #work = new BranchWork((spec, options) => runJob('bifurcation', spec, options));
+  #picture = new OrbitPicture();
+  /** Where a hand can meet the branches, as they were drawn last. @type {import('../../view/bifurcation.js').Places | null} */ #places = null;
+  /** Where keys have walked to. @type {Place | null} */ #cursor = null;
+  /** @type {{ x: number, y: number } | null} */ #press = null;
+  /** @type {{ scales: object | null, of: string, limit: number }} */ #axis = { scales: null, of: '', limit: 1 };
+
+  constructor() {
+    super();
+    /** What the cursor is on, for those who do not see it. */ this.heard = '';
+    this.#work.onChange = () => {
+      this.#cursor = null;
+      this.requestUpdate();
+    };
+  }
+
+  disconnectedCallback() {
+    this.#work.stop();
+    super.disconnectedCallback();
+  }
+
+  get #branch() {
+    return branchOf(this.settings.branch ?? '', this.quantities.map(({ parameter }) => parameter));
+  }
+
+  get #isSweeping() {
+    return this.settings.branchSweep === 'on';
+  }
+
+  /** What the diagram depends on. */
+  get #others() {
+    const { scene } = this;
+    const { range } = this.#branch;
+    const others = Object.entries(scene?.parameters ?? {}).filter(([name]) => name !== range.parameter);
+    return JSON.stringify([scene?.object, range, others]);
+  }
+
+  wanted() {
+    if (!this.#isSweeping) return null;
+    const { range } = this.#branch;
+    return { key: this.#others, shape: JSON.stringify([this.scene?.object, range]), specs: stopsOf(range, stops) };
+  }
+
+  /** @param {Stop} stop @param {Settled | null} before */
+  answer(stop, before) {
+    return this.askCycles((cycles) => settledAt(cycles, this.#branch.range.parameter, stop, before));
+  }
+
+  /** @param {Scene} scene @param {import('../../style/theme.js').Theme} theme */
+  draw(scene, theme) {
+    super.draw(scene, theme);
+    if (!this.isVeiled) {
+      const { range } = this.#branch;
+      this.#work.look({ key: this.#others, shape: JSON.stringify([scene.object, range]), spec: { model: scene.object, parameters: { ...scene.parameters }, ...range } });
+    }
+    this.#picture.hold(scene, this.isVeiled ? null : this.cycle);
+    for (const canvas of this.querySelectorAll('.branch-plane shimmy-canvas, .branch-orbit')) /** @type {import('../../view/canvas.js').Canvas} */ (canvas).redraw();
+  }
+
+  render() {
+    const { voice, scene } = this;
+    return voice && scene ? this.content(voice) : html``;
+  }
+
+  /** @param {Voice} voice */
+  content(voice) {
+    const { isVeiled } = this;
+    const { range, height } = this.#branch;
+    const quantity = this.quantity(range.parameter);
+    if (!quantity) return html``;
+    const cycle = isVeiled ? null : this.cycle;
+    const choose = (/** @type {Partial<import('./settings.js').Branch>} */ change) => this.choose('branch', writeBranch({ range, height, ...change }));
+    const pick = (/** @type {Event} */ event) => /** @type {HTMLSelectElement} */ (event.target).value;
+    return html`
+      <div class="branch">
+        <div class="plane-choices">
+          <select class="framed" aria-label=${voice.say('branch.varies')} title=${voice.say('branch.varies')} .value=${range.parameter}
+            @change=${(/** @type {Event} */ event) => { const one = this.quantity(pick(event)); if (one) choose({ range: { parameter: one.name, from: one.parameter.min, to: one.parameter.max } }); }}>
+            ${this.quantities.map((one) => parameterOption(one, range.parameter, voice))}
+          </select>
+          <select class="framed" aria-label=${voice.say('stability.up')} title=${voice.say('stability.up')} .value=${height}
+            @change=${(/** @type {Event} */ event) => choose({ height: /** @type {typeof height} */ (pick(event)) })}>
+            ${heights.map((one) => html`<option value=${one} ?selected=${one === height}>${one === 'frequency' ? 'f' : shown[one].symbol}${one === 'torsionRate' ? '\u0307' : ''} ${voice.say(shown[one].word)}</option>`)}
+          </select>
+          <button type="button" class="framed" aria-pressed=${this.#isSweeping ? 'true' : 'false'} title=${voice.say('branch.sweep.does')}
+            @click=${() => this.choose('branchSweep', this.#isSweeping ? 'off' : 'on')}>${voice.say('branch.sweep')} ▸◂</button>
+        </div>
+        <div class="branch-plane" role="application" tabindex="0" aria-label=${voice.say('branch.does')} title=${voice.say('branch.does')}
+          @pointerdown=${this.#pressed} @pointerup=${this.#released} @keydown=${this.#key} @blur=${this.#left}>
+          <shimmy-canvas .label=${this.#label(quantity, voice)} .paint=${this.#paint}></shimmy-canvas>
+        </div>
+        <p class="only-heard" role="status">${isVeiled ? '' : this.heard}</p>
+        ${isVeiled ? this.veil(voice) : this.#facts(cycle, voice)}
+        <shimmy-canvas class="branch-orbit" .label=${voice.say('branch.orbit')} .paint=${this.#paintOrbit}></shimmy-canvas>
+        <shimmy-canvas class="multipliers" .label=${voice.say(isVeiled ? 'cycle.multipliers.veiled' : 'cycle.multipliers.name', { list: multipliersOf(cycle?.multipliers ?? []).others.map((one) => multiplierInWords(one, voice)).join('; ') || '–' })} .paint=${this.#paintMultipliers}></shimmy-canvas>
+      </div>`;
+  }
+
+  /** @param {import('../../run/cycle-looks.js').LimitCycle | null} cycle @param {Voice} voice */
+  #facts(cycle, voice) {
+    if (!cycle) return html`<p class="branch-facts">${voice.say('cycle.none')}</p>`;
+    return html`
+      <div class="branch-facts">
+        <p><b class=${cycle.stable ? '' : 'is-unstable'}>${kindOf(cycle, voice)}</b> ${amplitudeOf('torsionAngle', cycle.amplitude.torsionAngle, voice)} · ${voice.number(cycle.frequency ?? NaN, 2)} Hz</p>
+        <span class="branch-starts">
+          <button type="button" class="framed" @click=${() => this.#start(1)}>${voice.say('branch.start.on')}</button>
+          <button type="button" class="framed" @click=${() => this.#start(1 - beside)}>${voice.say('branch.start.inside')}</button>
+          <button type="button" class="framed" @click=${() => this.#start(1 + beside)}>${voice.say('branch.start.outside')}</button>
+        </span>
+      </div>`;
+  }
+
+  /** Puts the run on the cycle, or a little beside it. @param {number} factor */
+  #start(factor) {
+    const { cycle } = this;
+    if (!cycle) return;
+    const state = Object.fromEntries(Object.entries(stateAt(cycle.orbit, 0)).map(([name, value]) => [name, factor * value]));
+    tell(this, 'motion', { values: {}, state });
+  }
+
+  /** @param {import('../../controls/quantity.js').Quantity} quantity @param {Voice} voice */
+  #label(quantity, voice) {
+    const { range } = this.#branch;
+    const across = rangeInWords(quantity, range, voice);
+    if (this.isVeiled) return voice.say('branch.name.veiled', { across });
+    const { diagram } = this.#work;
+    const points = diagram ? this.#pointsOf(diagram, voice).map(({ text }) => text).join('; ') : '';
+    return voice.say('branch.name', { across, count: diagram?.cycles.length ?? 0, points: points || voice.say('branch.points.none') });
+  }
+
+  /** @param {import('../../pkg/shimmy.js').Bifurcation} diagram @param {Voice} voice */
+  #pointsOf({ parameter, points, cycles }, voice) {
+    const quantity = this.quantity(parameter);
+    const { height } = this.#branch;
+    if (!quantity) return [];
+    return points.map((point) => {
+      const onBranch = point.branch !== null && point.kind !== 'hopf' && point.kind !== 'divergence';
+      const up = onBranch ? heightsOf(cycles[/** @type {number} */ (point.branch)], height)[point.index] : height === 'frequency' ? point.frequency : 0;
+      const kind = point.kind === 'hopf' && point.criticality === 'subcritical' ? 'hopf.subcritical' : point.kind;
+      return { kind: point.kind, across: point[parameter], up, text: voice.say(/** @type {Key} */ (`branch.point.${kind}`), { value: quantity.write(quantity.snapped(point[parameter]), voice) }) };
+    });
+  }
+
+  /** @type {import('../../view/canvas.js').Paint} */
+  #paint = (context, size) => {
+    const { voice, theme, scene, isVeiled } = this;
+    const { range, height } = this.#branch;
+    const quantity = this.quantity(range.parameter);
+    if (!voice || !theme || !scene || !quantity) return;
+    const { diagram, isOld, isFailed } = this.#work;
+    const cycle = isVeiled ? null : this.cycle;
+    const up = cycle && (height === 'frequency' ? cycle.frequency : cycle.amplitude[height]);
+    const motion = !isVeiled && height === 'torsionAngle' ? scene.outlook.present.amplitude : null;
+    if (!isVeiled) this.#hold(Math.max(diagram ? highest(diagram, height) : 0, cycle && cycle.amplitude.torsionAngle < 0.8 ? up ?? 0 : 0), height, scene.scales);
+    const lines = diagram?.cycles.map((branch, i) => ({ across: branch[diagram.parameter], up: heightsOf(branch, height), stable: branch.stable, turns: turnsOf(diagram, i) })) ?? [];
+    const slope = diagram && height === 'torsionAngle' ? slopeOfSmall(diagram) : null;
+    const cursor = this.#cursor && lines[this.#cursor.branch] ? { across: lines[this.#cursor.branch].across[this.#cursor.index], up: lines[this.#cursor.branch].up[this.#cursor.index] } : null;
+    this.#places = drawBifurcation(context, size, {
+      quantity, from: range.from, to: range.to, height, limit: this.#axis.limit, branches: lines,
+      rest: diagram && { across: diagram.equilibria[diagram.parameter], up: (diagram.equilibria.state[height] ?? new Float64Array(diagram.equilibria.stable.length)).map(Math.abs), stable: diagram.equilibria.stable, turns: turnsOf(diagram, null) },
+      points: diagram ? this.#pointsOf(diagram, voice) : [],
+      law: slope === null ? null : { slope, text: voice.say('branch.law', { slope: voice.number(slope, 2) }) },
+      sweep: this.#isSweeping ? this.items.flatMap(({ spec, answer, isOld: isPast }) => (answer && !isPast ? [{ ...spec, up: (height === 'frequency' ? answer.frequency : answer.amplitude[height]) ?? 0 }] : [])) : [],
+      now: { value: scene.parameters[range.parameter], motion, cycle: cycle && up ? { up, stable: cycle.stable ?? true } : null },
+      cursor, isOld: isOld && diagram !== null, veiled: isVeiled,
+      message: isVeiled ? '' : isFailed ? voice.say('stability.none') : diagram === null ? voice.say('branch.computing') : diagram.cycles.length === 0 && !isOld ? voice.say('branch.none') : '',
+    }, theme, voice);
+  };
+
+  /** @param {number} most @param {import('./branches.js').Height} height @param {object} scales */
+  #hold(most, height, scales) {
+    const perSI = shown[height].perSI;
+    const of = `${height} ${this.#branch.range.parameter}`;
+    const isServing = most <= this.#axis.limit && most >= filled * this.#axis.limit;
+    if (this.#axis.scales === scales && this.#axis.of === of && (isServing || most === 0)) return;
+    if (this.#axis.of === of && isServing) this.#axis.scales = scales;
+    else this.#axis = { scales, of, limit: roundLimit(Math.max(most, 1e-4 / perSI) * perSI) / perSI };
+  }
+
+  /** @type {import('../../view/canvas.js').Paint} */
+  #paintOrbit = (context, size) => {
+    const { voice, theme, scene, isVeiled } = this;
+    if (!voice || !theme || !scene) return;
+    this.#picture.paint(context, size, { scene, cycle: isVeiled ? null : this.cycle, name: 'portrait', look: firstLook, veiled: isVeiled }, theme, voice);
+  };
+
+  /** @type {import('../../view/canvas.js').Paint} */
+  #paintMultipliers = (context, size) => {
+    const { voice, theme, isVeiled } = this;
+    if (!voice || !theme) return;
+    drawMultipliers(context, size, { ...multipliersOf((isVeiled ? null : this.cycle)?.multipliers ?? []), veiled: isVeiled }, theme, voice);
+  };
+
+  /** @param {PointerEvent} event */
+  #pressed(event) {
+    this.#press = event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
+  }
+
+  /** @param {PointerEvent} event */
+  #released(event) {
+    const press = this.#press;
+    this.#press = null;
+    const { diagram } = this.#work;
+    if (!press || !diagram || !this.#places || this.isVeiled || Math.hypot(event.clientX - press.x, event.clientY - press.y) > widestClick) return;
+    const { left, top } = /** @type {HTMLElement} */ (event.currentTarget).getBoundingClientRect();
+    const place = nearest(diagram, this.#branch.height, this.#places, { x: event.clientX - left, y: event.clientY - top });
+    if (place && place.distance <= reach) this.#go(place);
+  }
+
+  /** Puts the gear on the cycle at a place. @param {Place} place */
+  #go({ branch, index }) {
+    const { diagram } = this.#work;
+    if (!diagram) return;
+    const on = diagram.cycles[branch];
+    const guess = cycleAt(on, index);
+    this.watch?.expect(guess);
+    tell(this, 'motion', { values: { [diagram.parameter]: on[diagram.parameter][index] }, state: guess.state });
+  }
+
+  /** Arrow keys walk along a branch or to another one, Enter goes there. @param {KeyboardEvent} event */
+  #key(event) {
+    const { diagram } = this.#work;
+    const [by, to] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key] ?? [0, 0];
+    const isGoing = event.key === 'Enter' && this.#cursor !== null;
+    if (!diagram || this.isVeiled || diagram.cycles.length === 0 || !(by || to || isGoing)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (isGoing && this.#cursor) {
+      this.#go(this.#cursor);
+      return;
+    }
+    const { cycles, parameter } = diagram;
+    const before = this.#cursor ?? this.#beginning(diagram);
+    const branch = to ? (before.branch + to + cycles.length) % cycles.length : before.branch;
+    const on = cycles[branch];
+    // Right is where the value rises, whichever way the branch was walked.
+    const rises = on[parameter][on[parameter].length - 1] >= on[parameter][0] ? 1 : -1;
+    const index = to ? this.#nearestTo(on, parameter, cycles[before.branch][parameter][before.index]) : this.#cursor ? along(on, before.index, by * rises * (event.shiftKey ? 5 : 1)) : before.index;
+    this.#cursor = { branch, index };
+    this.#tellCursor(on, index);
+    this.requestUpdate();
+  }
+
+  /** Where keys begin: where the gear is. @param {import('../../pkg/shimmy.js').Bifurcation} diagram @returns {Place} */
+  #beginning({ cycles, parameter }) {
+    return { branch: 0, index: this.#nearestTo(cycles[0], parameter, this.scene?.parameters[parameter] ?? 0) };
+  }
+
+  /** @param {import('../../pkg/shimmy.js').CycleBranch} branch @param {string} parameter @param {number} value */
+  #nearestTo(branch, parameter, value) {
+    const off = (/** @type {number} */ i) => (branch.amplitude[i] > 0 ? Math.abs(branch[parameter][i] - value) : Infinity);
+    return branch.amplitude.reduce((best, _, i) => (off(i) < off(best) ? i : best), 0);
+  }
+
+  /** @param {import('../../pkg/shimmy.js').CycleBranch} branch @param {number} index */
+  #tellCursor(branch, index) {
+    const { voice } = this;
+    const { range, height } = this.#branch;
+    const quantity = this.quantity(range.parameter);
+    if (!voice || !quantity) return;
+    const up = heightsOf(branch, height)[index];
+    this.heard = voice.say('branch.cursor', {
+      across: `${plainSymbol(quantity)} ${quantity.write(quantity.snapped(branch[range.parameter][index]), voice)}`,
+      up: valueOf(shown[height], up, digitsOf(up * shown[height].perSI), voice), kind: voice.say(branch.stable[index] ? 'branch.key.stable' : 'branch.key.unstable'),
+    });
+  }
+
+  #left = () => {
+    this.#cursor = null;
+    this.requestUpdate();
+  };
+}
+
+customElements.define('shimmy-branch', Branch);

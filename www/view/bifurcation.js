@@ -1,0 +1,151 @@
+import { axisUp, drawAxes, frameOf } from './axes.js';
+import { drawGuideAcross } from './guide.js';
+import { keysAbove } from './key.js';
+import { parameterAxis } from './parameter-axis.js';
+import { drawPresent, drawRing } from './points.js';
+import { quantities } from './quantities.js';
+import { drawSpecialPoints } from './special-points.js';
+import { destination, inStyle, stableCycle, unstableCycle } from './strokes.js';
+import { writeEdged, textFont } from './text.js';
+import { drawVeil } from './veil.js';
+
+/**
+ * Branches of cycles over a value of the gear: amplitudes of the stable ones solid, of the unstable ones dashed, rest along the
+ * foot likewise, points at which something changes marked and named, and the gear as it is riding on it.
+ *
+ * @typedef {import('../controls/quantity.js').Quantity} Quantity
+ * @typedef {import('../style/theme.js').Theme} Theme
+ * @typedef {import('../words/voice.js').Voice} Voice
+ * @typedef {import('./axes.js').Box} Box
+ * @typedef {{ across: ArrayLike<number>, up: ArrayLike<number>, stable: ArrayLike<number>, turns: readonly number[] }} Line point by point; `stable`: 1 or 0; `turns`: at which of its
+ *   points that changes, or may
+ * @typedef {{
+ *   quantity: Quantity, from: number, to: number, height: keyof typeof heightQuantities, limit: number,
+ *   rest: Line | null, branches: readonly Line[], points: readonly { kind: import('./special-points.js').Kind, across: number, up: number, text: string }[],
+ *   law: { slope: number, text: string } | null, sweep: readonly { value: number, way: 'up' | 'down', up: number }[],
+ *   now: { value: number, motion: number | null, cycle: { up: number, stable: boolean } | null }, cursor: { across: number, up: number } | null,
+ *   isOld: boolean, message: string, veiled: boolean,
+ * }} Shown `law`: a line through the origin; `now`: the gear's own value, the swing it makes and its cycle; `cursor`: the place
+ *   that keys have walked to; `message`: what is said where there is no branch
+ * @typedef {{ frame: Box, x: (value: number) => number, y: (value: number) => number }} Places
+ */
+
+/** What can stand upward. */
+const heightQuantities = {
+  torsionAngle: quantities.torsionAngle, torsionRate: quantities.torsionRate, lateralDeformation: quantities.lateralDeformation, frequency: quantities.frequency,
+};
+
+/** @type {import('./strokes.js').Style} */
+const lawStyle = (context, theme) => {
+  context.strokeStyle = theme.freeplayText;
+  context.lineWidth = 1.6 * theme.line;
+  context.setLineDash([2 * theme.line, 4 * theme.line]);
+};
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {import('./canvas.js').Size} size
+ * @param {Shown} shown
+ * @param {Theme} theme
+ * @param {Voice} voice
+ * @returns {Places | null} where values stand; null where there is no room
+ */
+export function drawBifurcation(context, size, shown, theme, voice) {
+  const { quantity, from, to, height, limit, rest, branches, law, now, cursor, isOld, veiled } = shown;
+  const color = theme.ink;
+  const hasUnstable = !veiled && branches.some(({ stable }) => Array.from(stable).some((one) => one === 0));
+  const { frame, draw: drawKeys } = keysAbove(context, frameOf(size, theme), [
+    { entry: veiled ? 'veiled' : { text: voice.say('branch.key.stable'), short: voice.say('branch.key.stable.short'), style: stableCycle }, color },
+    ...(hasUnstable ? [{ entry: { text: voice.say('branch.key.unstable'), short: voice.say('branch.key.unstable.short'), style: unstableCycle }, color }] : []),
+    ...(law && !veiled ? [{ entry: { text: law.text, style: lawStyle }, color: theme.freeplayText }] : []),
+    ...(shown.sweep.length > 0 && !veiled ? [
+      { entry: { text: `▸ ${voice.say('branch.sweep.up')}`, style: null }, color: theme.force }, { entry: { text: `◂ ${voice.say('branch.sweep.down')}`, style: null }, color: theme.y },
+    ] : []),
+  ], theme);
+  const [width, tall] = [frame.right - frame.left, frame.bottom - frame.top];
+  if (width < 40 || tall < 40) return null;
+  const x = parameterAxis(quantity, [from, to], [frame.left, frame.right], Math.min(10, width / (theme.size * 4.2)), voice);
+  const y = axisUp(heightQuantities[height], [0, limit], frame, theme, voice);
+  drawAxes(context, frame, x, y, theme);
+  const isInRange = now.value >= from && now.value <= to;
+  const places = { frame, x: x.at, y: y.at };
+  if (veiled) {
+    drawVeil(context, frame, theme);
+    if (isInRange) drawGuideAcross(context, frame, x.at(now.value), theme);
+    return places;
+  }
+  context.save();
+  context.beginPath();
+  context.rect(frame.left, frame.top - 2, width, tall + 8);
+  context.clip();
+  context.globalAlpha = isOld ? 0.45 : 1;
+  if (rest && height !== 'frequency') drawLine(context, rest, places, theme);
+  for (const branch of branches) drawLine(context, branch, places, theme);
+  if (law) inStyle(context, theme, lawStyle, () => segment(context, x.at(0), y.at(0), x.at(to), y.at(law.slope * to)));
+  context.globalAlpha = 1;
+  for (const { value, way, up } of shown.sweep) drawStop(context, x.at(value), y.at(up), way, theme);
+  if (isInRange) drawGuideAcross(context, frame, x.at(now.value), theme);
+  context.restore();
+  if (!isOld) drawSpecialPoints(context, frame, shown.points.filter(({ across, up }) => across >= from && across <= to && up <= limit).map(({ kind, across, up, text }) => ({ kind, x: x.at(across), y: y.at(up), text })), theme);
+  drawKeys();
+  if (isInRange && now.cycle && now.cycle.up <= limit) drawRing(context, x.at(now.value), y.at(now.cycle.up), 8 * Math.sqrt(theme.line), now.cycle.stable ? theme.ink : theme.unstable, theme);
+  if (isInRange && now.motion !== null) drawPresent(context, x.at(now.value), y.at(Math.min(now.motion, limit)), theme.psi, theme);
+  if (cursor) drawCursor(context, x.at(cursor.across), y.at(Math.min(cursor.up, limit)), theme);
+  if (shown.message) {
+    context.font = textFont(theme, 1, 600);
+    context.fillStyle = theme.ink2;
+    context.textAlign = 'center';
+    context.textBaseline = 'middle';
+    writeEdged(context, shown.message, (frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2, theme);
+  }
+  return places;
+}
+
+/** Piece by piece of one stability. @param {CanvasRenderingContext2D} context @param {Line} line @param {Places} places @param {Theme} theme */
+function drawLine(context, { across, up, stable, turns }, { x, y }, theme) {
+  // A piece is as stable as that end of it at which nothing turns.
+  const isPieceStable = (/** @type {number} */ from) => stable[turns.includes(from + 1) ? from : from + 1] === 1;
+  for (let from = 0; from + 1 < across.length;) {
+    const isStable = isPieceStable(from);
+    let to = from + 1;
+    while (to + 1 < across.length && isPieceStable(to) === isStable) to++;
+    inStyle(context, theme, isStable ? stableCycle : unstableCycle, () => {
+      context.beginPath();
+      context.moveTo(x(across[from]), y(up[from]));
+      for (let i = from + 1; i <= to; i++) context.lineTo(x(across[i]), y(up[i]));
+      context.stroke();
+    });
+    from = to;
+  }
+}
+
+/** Where a simulated sweep has settled: a triangle that points the way it went. @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {'up' | 'down'} way @param {Theme} theme */
+function drawStop(context, x, y, way, theme) {
+  const size = 3.6 * Math.sqrt(theme.line) * (way === 'up' ? 1 : -1);
+  context.beginPath();
+  context.moveTo(x + 1.3 * size, y);
+  context.lineTo(x - size, y - size);
+  context.lineTo(x - size, y + size);
+  context.closePath();
+  context.strokeStyle = way === 'up' ? theme.force : theme.y;
+  context.lineWidth = 1.4 * theme.line;
+  context.stroke();
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} x @param {number} y @param {Theme} theme */
+function drawCursor(context, x, y, theme) {
+  const reach = 11 * Math.sqrt(theme.line);
+  inStyle(context, theme, destination, () => {
+    segment(context, x - reach, y, x + reach, y);
+    segment(context, x, y - reach, x, y + reach);
+  });
+  drawRing(context, x, y, 4 * Math.sqrt(theme.line), theme.psi, theme);
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} x1 @param {number} y1 @param {number} x2 @param {number} y2 */
+function segment(context, x1, y1, x2, y2) {
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(x2, y2);
+  context.stroke();
+}
