@@ -25,6 +25,7 @@ import { LinearTheory } from './run/linear-theory.js';
 import { linksThatHold } from './run/links.js';
 import { slowRateFor } from './run/rate.js';
 import { Session } from './run/session.js';
+import { SwingScent } from './run/swing-scent.js';
 import { Store } from './store.js';
 import { figuresOf } from './story/atlas.js';
 import { leave, told } from './story/player.js';
@@ -68,6 +69,8 @@ export class App {
   /** @type {Map<string, Quantity[]>} */ #quantities = new Map();
   /** @type {Map<string, Record<string, number>>} */ #usual = new Map();
   /** @type {LinearTheory | null} */ #theory = null;
+  /** @type {SwingScent | null} */ #swings = null;
+  /** Follows branches of cycles beside the page; null where nobody does. @type {import('./run/swing-scent.js').Follow | null} */ follow = null;
 
   /** All commands by name. @type {Readonly<Record<string, Command>>} */
   commands = {
@@ -114,6 +117,9 @@ export class App {
 
   /** Where the gear is unstable as one value varies; null where nothing is known of that. @param {string} parameter */
   unstable = (parameter) => this.#theory?.unstable(this.state, parameter) ?? null;
+
+  /** How widely the gear swings as one value varies; null where that is not known yet. Another function when more is known. */
+  swings = this.#swingsNow();
 
   /** What "reset" brings back, in SI. @returns {Record<string, number>} */
   get usual() {
@@ -167,6 +173,13 @@ export class App {
     this.isStill = isStill;
     this.stories = [...presets, ...figuresOf(engine.atlas())];
     this.#theory = new LinearTheory(engine);
+    if (this.follow) {
+      this.#swings = new SwingScent(this.follow, () => this.models);
+      this.#swings.onChange = () => {
+        this.swings = this.#swingsNow();
+        this.onChange();
+      };
+    }
     const isFresh = !addresses.some((address) => this.openLink(address));
     if (isFresh) {
       this.store.follow({ parameters: this.usual, run: openingRun });
@@ -252,6 +265,10 @@ export class App {
     this.session?.settle();
     this.occasion++;
     this.isLookDue = true;
+  }
+
+  #swingsNow() {
+    return (/** @type {string} */ parameter) => this.#swings?.of(this.state, parameter) ?? null;
   }
 
   /** @param {string} object */

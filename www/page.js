@@ -46,6 +46,7 @@ export class Page extends LitElement {
     /** What came of the last wish to take something along. */ this.said = '';
     /** The page's address with its state, as it was written last. */ this.address = '';
     this.#app.onChange = () => this.#changed();
+    this.#app.follow = (spec) => runJob('bifurcation', spec);
   }
 
   createRenderRoot() {
@@ -104,12 +105,12 @@ export class Page extends LitElement {
           ${withoutWhy.includes(lens) ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
           ${app.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.all', { count: quantities.length })} .voice=${voice}
             .quantities=${quantities} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
-            .unstable=${app.unstable} .explained=${app.explained} .isVeiled=${isVeiled}></shimmy-drawer>` : ''}
+            .unstable=${app.unstable} .swings=${app.swings} .explained=${app.explained} .isVeiled=${isVeiled}></shimmy-drawer>` : ''}
           ${explained ? html`<shimmy-explanation role="dialog" aria-labelledby="explanation-name" .quantity=${explained} .model=${object}
             .voice=${voice}></shimmy-explanation>` : ''}
         </section>
         <shimmy-dock role="region" aria-label=${voice.say('dock.name')} .voice=${voice} .knobs=${app.knobs} .quantities=${quantities} .values=${parameters}
-          .links=${links} .usual=${app.usual} .change=${change} .unstable=${app.unstable} .explained=${app.explained} .isOpen=${app.isDrawerOpen}
+          .links=${links} .usual=${app.usual} .change=${change} .unstable=${app.unstable} .swings=${app.swings} .explained=${app.explained} .isOpen=${app.isDrawerOpen}
           .isVeiled=${isVeiled} ?data-breathes=${app.act?.moment === 'breath'}></shimmy-dock>
       </main>`;
   }

@@ -30,6 +30,7 @@ export class Dock extends LitElement {
     usual: { attribute: false },
     knobs: { attribute: false },
     unstable: { attribute: false },
+    swings: { attribute: false },
     explained: { attribute: false },
     voice: { attribute: false },
     isVeiled: { attribute: false },
@@ -46,6 +47,8 @@ export class Dock extends LitElement {
     /** The knobs that a story is about, before the usual ones. @type {readonly string[]} */ this.knobs = [];
     /** Where the gear is unstable as one value varies. @type {(name: string) => import('./scent.js').Unstable | null} */
     this.unstable = () => null;
+    /** How widely the gear swings as one value varies. @type {(name: string) => import('../run/swing-scent.js').Swings | null} */
+    this.swings = () => null;
     /** The parameter that is explained just now. @type {string | null} */ this.explained = null;
     /** @type {Voice | null} */ this.voice = null;
     /** Whether what would tell the future is hidden. */
@@ -119,7 +122,7 @@ export class Dock extends LitElement {
     return html`
       <shimmy-knob data-place="dock" data-name=${name}
         .quantity=${quantity} .value=${this.values[name]} .usual=${this.usual[name]} .links=${this.links} .voice=${voice}
-        .unstable=${this.isVeiled ? null : this.unstable(name)} .isExplained=${this.explained === name} .change=${this.change}></shimmy-knob>`;
+        .unstable=${this.isVeiled ? null : this.unstable(name)} .swings=${this.isVeiled ? null : this.swings(name)} .isExplained=${this.explained === name} .change=${this.change}></shimmy-knob>`;
   }
 
   #relaid = () => this.requestUpdate();

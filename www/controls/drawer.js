@@ -16,6 +16,7 @@ export class Drawer extends LitElement {
     links: { attribute: false },
     usual: { attribute: false },
     unstable: { attribute: false },
+    swings: { attribute: false },
     explained: { attribute: false },
     voice: { attribute: false },
     isVeiled: { attribute: false },
@@ -29,6 +30,8 @@ export class Drawer extends LitElement {
     /** @type {Readonly<Record<string, number>>} */ this.usual = {};
     /** Where the gear is unstable as one value varies. @type {(name: string) => import('./scent.js').Unstable | null} */
     this.unstable = () => null;
+    /** How widely the gear swings as one value varies. @type {(name: string) => import('../run/swing-scent.js').Swings | null} */
+    this.swings = () => null;
     /** The parameter that is explained just now. @type {string | null} */ this.explained = null;
     /** @type {Voice | null} */ this.voice = null;
     /** Whether what would tell the future is hidden. */
@@ -71,7 +74,7 @@ export class Drawer extends LitElement {
     const { name } = quantity;
     return html`
       <shimmy-knob data-place="drawer" data-name=${name} .quantity=${quantity} .value=${this.values[name]} .usual=${this.usual[name]}
-        .links=${this.links} .voice=${voice} .unstable=${this.isVeiled ? null : this.unstable(name)}
+        .links=${this.links} .voice=${voice} .unstable=${this.isVeiled ? null : this.unstable(name)} .swings=${this.isVeiled ? null : this.swings(name)}
         .isExplained=${this.explained === name} .change=${this.change}></shimmy-knob>`;
   }
 

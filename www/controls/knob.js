@@ -5,6 +5,7 @@ import { chainsOf } from './chains.js';
 import { nameOf } from './quantity.js';
 import { explain } from './refusal.js';
 import { scentOf } from './scent.js';
+import { sparklineOf, swingsInWords } from './sparkline.js';
 import { symbolOf } from './symbol.js';
 import { labelsOf, trackOf } from './track.js';
 import { isVelocityUnit, nextVelocityUnit } from './unit.js';
@@ -32,6 +33,7 @@ export class Knob extends LitElement {
     value: { attribute: false },
     usual: { attribute: false },
     unstable: { attribute: false },
+    swings: { attribute: false },
     links: { attribute: false },
     isExplained: { attribute: false },
     voice: { attribute: false },
@@ -54,6 +56,8 @@ export class Knob extends LitElement {
     this.usual = 0;
     /** Where the gear is unstable along the slider; null where nothing is to be said of it. @type {import('./scent.js').Unstable | null} */
     this.unstable = null;
+    /** How widely it swings along the slider; null where that is not known. @type {import('../run/swing-scent.js').Swings | null} */
+    this.swings = null;
     /** Which values follow others. @type {import('../run/links.js').Links} */ this.links = {};
     /** Whether it is explained just now. */
     this.isExplained = false;
@@ -79,12 +83,13 @@ export class Knob extends LitElement {
   }
 
   render() {
-    const { quantity, voice, unstable } = this;
+    const { quantity, voice, unstable, swings } = this;
     if (!quantity || !voice) return html``;
     const name = nameOf(quantity, voice);
     const id = `knob-${quantity.name}-${this.dataset.place}`;
     const reset = voice.say('knob.reset', { name, value: quantity.write(this.usual, voice) });
     const scent = unstable && scentOf(unstable, quantity, voice);
+    const foretold = [scent?.inWords ?? '', swingsInWords(swings, quantity, voice)].filter((words) => words !== '').join('. ');
     return html`
       <div class="knob-line">
         <button type="button" class="name" title=${voice.say('knob.explain', { name })} aria-haspopup="dialog"
@@ -99,10 +104,11 @@ export class Knob extends LitElement {
           @click=${() => this.#set(this.usual)}>↺</button>
       </div>
       ${chainsOf(quantity.name, this.links, voice)}
-      <div class="slide">
+      <div class="slide" title=${swings ? voice.say('spark.does') : nothing}>
+        ${sparklineOf(swings, quantity)}
         ${trackOf(scent)}
         <input id="${id}-slider" class="slider" type="range" min="0" max=${places} step="1" aria-label=${name}
-          aria-valuetext=${quantity.write(this.value, voice)} aria-description=${scent ? scent.inWords : nothing}
+          aria-valuetext=${quantity.write(this.value, voice)} aria-description=${foretold || nothing}
           .value=${String(quantity.placeOf(this.value) * places)}
           @input=${this.#dragged} @change=${this.#settle} @keydown=${this.#sliderKey} />
       </div>

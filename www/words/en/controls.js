@@ -1,5 +1,8 @@
 /** Words of the knobs, in English. */
 export const controls = {
+  'spark.does': 'The curve over the track: how widely the gear will swing; its full height is ±29°',
+  'spark.said': 'Swings up to {amplitude}, at {value}',
+
   'dock.name': 'Values',
   'dock.choose': 'Which value the slider sets',
   'dock.all': 'All {count} values',

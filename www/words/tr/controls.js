@@ -1,5 +1,8 @@
 /** Words of the knobs, in Turkish. @type {typeof import('../en/controls.js').controls} */
 export const controls = {
+  'spark.does': 'Çubuğun üstündeki eğri: takımın ne kadar geniş salınacağı; tam yüksekliği ±29°',
+  'spark.said': 'En çok {amplitude} salınır, {value} değerinde',
+
   'dock.name': 'Değerler',
   'dock.choose': 'Sürgünün ayarladığı değer',
   'dock.all': '{count} değerin hepsi',
