@@ -21,10 +21,12 @@ const claims = {
   'limit-cycle': ['shimmies', 'shimmies', 'shimmies', 'shimmies'],
   cure: ['shimmies', 'shimmies', 'shimmies', 'dies-out'],
   'too-fast': ['dies-out', 'dies-out', 'shimmies'],
-  freeplay: ['dies-out', 'rattles', 'rattles', 'rattles', 'rattles', 'dies-out'],
-  'double-gap': ['rattles', 'rattles', 'rattles'],
+  freeplay: ['dies-out', 'rattles', 'rattles', 'rattles', 'rattles', 'rattles', 'dies-out'],
+  'double-gap': ['rattles', 'rattles', 'rattles', 'rattles'],
   caster: ['shimmies', 'dies-out', 'shimmies', 'dies-out', 'rests'],
   'two-starts': ['shimmies', 'shimmies', 'shimmies'],
+  born: ['dies-out', 'shimmies', 'shimmies', 'shimmies'],
+  folded: ['dies-out', 'shimmies', 'shimmies', 'dies-out'],
   linear: ['grows', 'shimmies', 'dies-out'],
 };
 
@@ -72,12 +74,16 @@ test('numbers in the sentences are those of theory.md', () => {
     ['freeplay', 1, ['39.0', '100']],
     ['freeplay', 2, ['±1°', '±1.28°', '26.8 Hz']],
     ['freeplay', 4, ['±0.64°', '±1.28°']],
-    ['freeplay', 6, ['80 m/s', '73.1']],
+    ['freeplay', 6, ['3.2', '73.1 m/s']],
+    ['freeplay', 7, ['80 m/s', '73.1']],
     ['double-gap', 1, ['±0.5°', '±0.64°']],
     ['double-gap', 2, ['±1.28°']],
     ['double-gap', 3, ['±2.5°']],
     ['two-starts', 1, ['0.57°', '±15.2°']],
     ['two-starts', 2, ['25.8°', '±15.2°']],
+    ['double-gap', 4, ['1.26']],
+    ['born', 1, ['26 m/s', '27.6 m/s']],
+    ['born', 3, ['80 m/s', '±15.2°']],
     ['linear', 2, ['5°', '±15.2°']],
     ['linear', 3, ['48.6']],
   ];
@@ -113,6 +119,16 @@ test('the caster story names where the closed form of theory.md 2 changes its si
   const lower = Number(sentenceOf(story, 3, engine, english).match(/−[\d.]+(?= m )/)?.[0].replace('−', '-'));
   assert.ok(upper >= boundary(0.5, 0.1) && upper - boundary(0.5, 0.1) < 0.001, `${upper}`);
   assert.ok(lower <= boundary(-0.5, 0.1) && boundary(-0.5, 0.1) - lower < 0.001, `${lower}`);
+});
+
+test('the branch folds where wide swings of a simulation end', () => {
+  const story = presets.find(({ name }) => name === 'folded');
+  assert.ok(story);
+  const fold = Number(sentenceOf(story, 2, engine, english).match(/[\d.]+(?= m\/s)/)?.[0]);
+  const { model, parameters } = runOf(story.steps[1]);
+  const from = (/** @type {number} */ velocity, /** @type {number} */ torsionAngle) => engine.outlook({ model, parameters: { ...parameters, velocity }, initial: { torsionAngle } }).verdict;
+  assert.deepEqual([from(fold - 0.5, 0.25), from(fold + 0.5, 0.25)], ['dies-out', 'shimmies'], `${fold}`);
+  assert.deepEqual([fold + 0.5, 42].map((velocity) => from(velocity, 0.01)), ['dies-out', 'dies-out'], 'while a touch dies out');
 });
 
 test('in both languages every step has its sentence, with all its numbers', () => {

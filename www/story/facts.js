@@ -50,6 +50,15 @@ export function factsOf(engine, { state, asks }, voice) {
     get cBoundary() { return up(linear(noGap).criticalDamping ?? NaN, 1, voice); },
     /** The speed above which it is calm inside the gap. */
     get vGap() { return up(linear({}).criticalVelocities.at(-1) ?? NaN, 1, voice); },
+    /** The lowest speed at which the gear shimmies in linear theory with the gap. */
+    get vGapFrom() { return down(linear({}).criticalVelocities[0] ?? NaN, 1, voice); },
+    /** How much larger than half of the gap the rattle is. */
+    get perGap() { return voice.number(engine.outlook(run).amplitude.torsionAngle / parameters.freeplayAngle, 2); },
+    /** The lowest speed to which a branch of cycles folds back. */
+    get vFold() {
+      const { points } = engine.bifurcation({ model, parameters, parameter: 'velocity', from: 1, to: 120 });
+      return down(Math.min(...points.filter(({ kind }) => kind === 'fold').map((point) => point.velocity)), 1, voice);
+    },
     get eUpper() { return up(casters()[0]?.to ?? NaN, 3, voice); },
     get eLower() { return down(casters()[0]?.from ?? NaN, 3, voice); },
   };

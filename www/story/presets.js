@@ -15,6 +15,11 @@ const wide = { torsionAngle: 0.45 };
 const portrait = { lens: 'phase', views: { phase: 'portrait' } };
 const orbit = { lens: 'phase', views: { phase: 'orbit' } };
 const sideForce = { lens: 'forces', views: { forces: 'sideForce' } };
+/** The branches of cycles over a value. @param {string} range as a link has it @param {Readonly<Record<string, string>>} [more] */
+const branches = (range, more) => ({ lens: 'cycles', views: { cycles: 'branch', branch: `${range},torsionAngle`, ...more } });
+const overSpeed = branches('velocity:1:120');
+const overGap = branches(`freeplayAngle:0:${3 * degree}`);
+
 const strobe = /** @type {const} */ ({ clock: { mode: 'strobe', slow: null } });
 
 /**
@@ -32,6 +37,10 @@ const gapped = (halfGap, velocity = 50) => ({
 
 const opening = rolling(80, 20);
 const softAndAhead = { casterLength: -0.5, torsionalStiffness: 50_000 };
+/** A gear whose branch folds: its tire's side force meets its limit early, its aligning moment late, and the wheel leads a little. @param {number} velocity in m/s @param {number} torsionAngle in rad */
+const folding = (velocity, torsionAngle) => ({
+  ...rolling(velocity, 10, { casterLength: -0.05, sideForceLimitAngle: 3 * degree, aligningMomentLimitAngle: 20 * degree }), initial: { torsionAngle },
+});
 const damping = { knobs: ['dampingConstant', 'velocity', 'casterLength', 'freeplayAngle'] };
 const caster = { knobs: ['casterLength', 'velocity', 'dampingConstant', 'torsionalStiffness'] };
 
@@ -77,6 +86,7 @@ const stories = {
     { state: gapped(1), goesOn: true, asks: { freeplayAngle: 0.5 * degree } },
     { state: { ...gapped(0.5), ghosts: [{ parameters: { freeplayAngle: degree } }] }, goesOn: true },
     { state: { ...gapped(1), lens: 'forces', views: { forces: 'restoringMoment' } } },
+    { state: { ...gapped(1), ...overSpeed } },
     { state: { ...gapped(1, 80), ...strobe } },
   ],
   'double-gap': [
@@ -88,6 +98,7 @@ const stories = {
         ghosts: [{ parameters: { freeplayAngle: degree } }, { parameters: { freeplayAngle: 0.5 * degree } }],
       },
     },
+    { state: { ...gapped(2), ...overGap } },
   ],
   caster: [
     { state: { ...opening, ...caster } },
@@ -100,6 +111,18 @@ const stories = {
     { state: { ...opening, initial: touch, ...portrait } },
     { state: { ...opening, initial: wide, ...portrait } },
     { state: { ...opening, initial: wide, ghosts: [{ initial: touch }], ...portrait } },
+  ],
+  born: [
+    { state: { ...rolling(26, 20), ...overSpeed } },
+    { state: { ...rolling(30, 20), ...overSpeed } },
+    { state: { ...opening, ...overSpeed } },
+    { state: { ...opening, lens: 'cycles', views: { cycles: 'methods' } } },
+  ],
+  folded: [
+    { state: { ...folding(40, 0.05), ...branches('velocity:20:80') } },
+    { state: { ...folding(40, 0.3), ...branches('velocity:20:80') } },
+    { state: { ...folding(40, 0.3), ...branches('velocity:20:80', { branchSweep: 'on' }) }, goesOn: true },
+    { state: { ...folding(34, 0.3), ...branches('velocity:20:80') } },
   ],
   linear: [
     { state: { ...opening, object: 'torsional-linear' } },

@@ -47,13 +47,15 @@ export const presets = {
   'preset.freeplay.3': 'With its spring, linear theory calls it stable. Now half the gap: what becomes of the rattle?',
   'preset.freeplay.4': 'Half the gap, half the rattle: {swing} instead of {ghostSwing}. It does not end.',
   'preset.freeplay.5': 'Inside the gap no spring holds the wheel: there linear theory is unstable. Outside, the spring calms it.',
-  'preset.freeplay.6': 'At {v} m/s the same gap is calm: past {vGap} the tire no longer swings the wheel inside it.',
+  'preset.freeplay.6': 'Over the speed: the rattle lives between {vGapFrom} and {vGap} m/s, where inside the gap linear theory is unstable.',
+  'preset.freeplay.7': 'At {v} m/s the same gap is calm: past {vGap} the tire no longer swings the wheel inside it.',
 
   'preset.double-gap': 'Double the gap, double the rattle',
   'preset.double-gap.tells': 'A rattle is as large as its gap makes it.',
   'preset.double-gap.1': 'A gap of {gap} rattles {swing}.',
   'preset.double-gap.2': 'Twice the gap, twice the rattle: {swing}, at nearly the same beat.',
   'preset.double-gap.3': 'Twice again: {swing}. While the tire stays linear, nothing but the gap sets the size.',
+  'preset.double-gap.4': 'So over the gap its size is a straight line, {perGap} times half of it, until the tire is linear no more.',
 
   'preset.caster': 'The wheel leads its axis',
   'preset.caster.tells': 'A wheel ahead of its axis can be calmer than one behind it.',
@@ -68,6 +70,20 @@ export const presets = {
   'preset.two-starts.1': 'From {start} the swing grows out to {swing}.',
   'preset.two-starts.2': 'From {start} it shrinks in to the very same {swing}.',
   'preset.two-starts.3': 'Side by side: two starts, one cycle. Grab the wheel and try a third.',
+
+  'preset.born': 'Born at the Hopf point',
+  'preset.born.tells': 'The cycle comes out of nothing, where linear theory says.',
+  'preset.born.1': 'At {v} m/s there is no cycle: the branch begins only at {vBoundary} m/s, and every swing dies out.',
+  'preset.born.2': 'There a pair of roots crosses the axis, and the cycle is born. A little faster, at {v} m/s, it is {swing} wide.',
+  'preset.born.3': 'At {v} m/s the wheel climbs onto the branch, {swing}. Press anywhere on it: the gear swings on that very cycle.',
+  'preset.born.4': 'Describing functions, shooting and simulation have nothing in common, and find the same {swing}.',
+
+  'preset.folded': 'There before it is unstable',
+  'preset.folded.tells': 'Linear theory calls the gear stable, and a hard enough push makes it shimmy for good.',
+  'preset.folded.1': 'Up to {vBoundary} m/s linear theory calls this gear stable. At {v} a twist of {start} dies out.',
+  'preset.folded.2': 'The same gear, a twist of {start}: it swings {swing}, and that does not end.',
+  'preset.folded.3': 'The branch folds back to {vFold} m/s. Between two stable motions lies an unstable cycle: start just inside it, just outside.',
+  'preset.folded.4': 'Only below {vFold} m/s is there no cycle: at {v} every push dies out.',
 
   'preset.linear': 'Linear against nonlinear',
   'preset.linear.tells': 'Linear theory tells where shimmy begins, not where it ends.',

@@ -47,13 +47,15 @@ export const presets = {
   'preset.freeplay.3': 'Doğrusal kuram yayla bu takıma kararlı diyor. Şimdi boşluk yarıya iniyor: takırtı ne olur?',
   'preset.freeplay.4': 'Yarım boşluk, yarım takırtı: {ghostSwing} yerine {swing}. Ama bitmiyor.',
   'preset.freeplay.5': 'Boşluğun içinde tekerleği hiçbir yay tutmuyor: orada doğrusal kurama göre de kararsız. Dışında yay durultuyor.',
-  'preset.freeplay.6': '{v} m/s’de aynı boşluk sakin: {vGap} üstünde lastik tekerleği boşluğun içinde artık sallamıyor.',
+  'preset.freeplay.6': 'Hız boyunca: takırtı {vGapFrom} ile {vGap} m/s arasında yaşıyor; orada boşluğun içi doğrusal kurama göre kararsız.',
+  'preset.freeplay.7': '{v} m/s’de aynı boşluk sakin: {vGap} üstünde lastik tekerleği boşluğun içinde artık sallamıyor.',
 
   'preset.double-gap': 'Boşluk iki kat, takırtı iki kat',
   'preset.double-gap.tells': 'Takırtının büyüklüğünü boşluk belirler.',
   'preset.double-gap.1': '{gap} boşluk {swing} takırdıyor.',
   'preset.double-gap.2': 'İki kat boşluk, iki kat takırtı: {swing}, hemen hemen aynı frekansta.',
   'preset.double-gap.3': 'Bir kez daha iki katı: {swing}. Lastik doğrusal kaldıkça büyüklüğü yalnız boşluk belirliyor.',
+  'preset.double-gap.4': 'Bu yüzden boşluğa karşı büyüklüğü bir doğru: yarı boşluğun {perGap} katı, lastik doğrusal olmaktan çıkana dek.',
 
   'preset.caster': 'Tekerlek ekseninin önünde',
   'preset.caster.tells': 'Ekseninin önündeki tekerlek, arkasındakinden sakin olabilir.',
@@ -68,6 +70,20 @@ export const presets = {
   'preset.two-starts.1': '{start} ile başlayan salınım {swing}’ye büyüyor.',
   'preset.two-starts.2': '{start} ile başlayan, aynı {swing}’ye küçülüyor.',
   'preset.two-starts.3': 'Yan yana: iki başlangıç, tek çevrim. Tekerleği tut, üçüncüsünü dene.',
+
+  'preset.born': 'Hopf noktasında doğar',
+  'preset.born.tells': 'Çevrim yoktan doğar, doğrusal kuramın dediği yerde.',
+  'preset.born.1': '{v} m/s’de çevrim yok: dal ancak {vBoundary} m/s’de başlıyor, her salınım sönüyor.',
+  'preset.born.2': 'Orada bir kök çifti ekseni geçiyor ve çevrim doğuyor. Biraz daha hızlıda, {v} m/s’de, genliği {swing}.',
+  'preset.born.3': '{v} m/s’de tekerlek dala tırmanıyor: {swing}. Dalın herhangi bir yerine bas: takım tam o çevrimde salınır.',
+  'preset.born.4': 'Tanımlayıcı işlev, atış yöntemi ve benzetim birbirine benzemez, ama aynı {swing} değerini bulur.',
+
+  'preset.folded': 'Kararsızlıktan önce orada',
+  'preset.folded.tells': 'Doğrusal kuram takıma kararlı diyor, ama yeterince sert bir itme onu kalıcı shimmy’ye sokuyor.',
+  'preset.folded.1': 'Doğrusal kuram {vBoundary} m/s’ye kadar bu takıma kararlı diyor. {v} m/s’de {start} burma sönüyor.',
+  'preset.folded.2': 'Aynı takım, {start} burma: {swing} salınıyor ve bu bitmiyor.',
+  'preset.folded.3': 'Dal {vFold} m/s’ye geri katlanıyor. İki kararlı hareketin arasında kararsız bir çevrim var: hemen içinde başlat, hemen dışında başlat.',
+  'preset.folded.4': 'Ancak {vFold} m/s altında çevrim yok: {v} m/s’de her itme sönüyor.',
 
   'preset.linear': 'Doğrusal ve doğrusal olmayan',
   'preset.linear.tells': 'Doğrusal kuram shimmy’nin nerede başladığını söyler, nerede bittiğini değil.',
