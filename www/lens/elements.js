@@ -2,13 +2,12 @@ import { html, unsafeStatic } from 'lit/static-html.js';
 import './compare.js';
 import './forces.js';
 import './phase.js';
-import './stability.js';
 
 /**
  * Lenses that come when one first looks: the page is there the sooner.
  * @type {Readonly<Record<string, () => Promise<unknown>>>}
  */
-const later = { cycles: () => import('./cycles.js') };
+const later = { stability: () => import('./stability.js'), cycles: () => import('./cycles.js') };
 
 /** Those that are on their way, and those that did not arrive. @type {Map<string, 'loading' | 'failed'>} */
 const ways = new Map();
@@ -24,8 +23,8 @@ export function lensElement(lens, { voice, shows, views, isVeiled, quantities },
   if (later[lens] && !customElements.get(name)) {
     const failed = ways.get(lens) === 'failed';
     if (!failed) bring(lens, arrived);
-    return html`<div id="lens-panel" role="tabpanel" aria-labelledby="tab-${lens}"><p class="panel-empty" role="status">${voice.say(failed ? 'cycles.failed' : 'cycles.loading')}
-      ${failed ? html`<button type="button" class="framed" @click=${() => bring(lens, arrived)}>${voice.say('cycles.again')}</button>` : ''}</p></div>`;
+    return html`<div id="lens-panel" role="tabpanel" aria-labelledby="tab-${lens}"><p class="panel-empty" role="status">${voice.say(failed ? 'lens.failed' : 'lens.loading')}
+      ${failed ? html`<button type="button" class="framed" @click=${() => bring(lens, arrived)}>${voice.say('lens.again')}</button>` : ''}</p></div>`;
   }
   const tag = unsafeStatic(name);
   return html`<${tag} id="lens-panel" role="tabpanel" aria-labelledby="tab-${lens}" .voice=${voice} .shows=${shows} .settings=${views} .isVeiled=${isVeiled}

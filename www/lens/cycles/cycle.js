@@ -61,12 +61,12 @@ export class Cycle extends CyclePanel {
 
   /** @param {LimitCycle | null} cycle @param {Voice} voice */
   #facts(cycle, voice) {
-    if (!cycle) return html`<div class="cycle-facts"><h2 role="status">${this.#isFar ? voice.say('stability.none') : voice.say('cycle.none')}</h2></div>`;
+    if (!cycle) return html`<div class="cycle-facts"><div role="status"><h2>${this.#isFar ? voice.say('stability.none') : voice.say('cycle.none')}</h2></div></div>`;
     const { amplitude, frequency, period } = cycle;
     const { along, others } = multipliersOf(cycle.multipliers);
     return html`
       <div class="cycle-facts">
-        <h2 role="status" class=${cycle.stable ? '' : 'is-unstable'}>${kindOf(cycle, voice)}</h2>
+        <div role="status"><h2 class=${cycle.stable ? '' : 'is-unstable'}>${kindOf(cycle, voice)}</h2></div>
         <dl>
           <div><dt>${voice.say('cycle.frequency')}</dt><dd>${voice.number(frequency ?? NaN, 3)} Hz <span class="spare">${voice.number(1000 * (period ?? NaN), 3)} ms</span></dd></div>
           ${Object.entries(amplitude).map(([name, value]) => html`

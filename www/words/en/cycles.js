@@ -8,9 +8,6 @@ export const cycles = {
   'cycles.line.methods': 'One number, three ways that have nothing in common. Press a speed to go there.',
   'cycles.view.tables': 'Tables 5.8 – 6.5',
   'cycles.line.tables': 'Computed now, with the other values as they are. Press a row to set its values.',
-  'cycles.loading': 'The lens is on its way.',
-  'cycles.failed': 'The lens did not arrive.',
-  'cycles.again': 'Try again',
 
   'cycle.title': 'Limit cycle',
   'cycle.stable': 'A stable limit cycle',

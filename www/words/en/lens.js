@@ -9,6 +9,9 @@ export const lens = {
   'lens.landing': 'Landing',
   'lens.compare': 'Compare',
   'lens.later': '{lens}: not built yet',
+  'lens.loading': 'The lens is on its way.',
+  'lens.failed': 'The lens did not arrive.',
+  'lens.again': 'Try again',
 
   'phase.name': 'Phase portrait: torsion rate over torsion angle. The trail fades into the past; the dotted line is where the motion goes.',
   'phase.gap': 'inside the gap: no spring',

@@ -8,9 +8,6 @@ export const cycles = {
   'cycles.line.methods': 'Bir sayı, birbirine benzemeyen üç yol. Bir hıza basınca oraya gidilir.',
   'cycles.view.tables': 'Tablo 5.8 – 6.5',
   'cycles.line.tables': 'Şimdi hesaplandı, öteki değerler olduğu gibi. Bir satıra basınca değerleri girilir.',
-  'cycles.loading': 'Mercek yolda.',
-  'cycles.failed': 'Mercek gelmedi.',
-  'cycles.again': 'Yeniden dene',
 
   'cycle.title': 'Limit çevrim',
   'cycle.stable': 'Kararlı bir limit çevrim',

@@ -9,6 +9,9 @@ export const lens = {
   'lens.landing': 'İniş',
   'lens.compare': 'Karşılaştırma',
   'lens.later': '{lens}: henüz yapılmadı',
+  'lens.loading': 'Mercek yolda.',
+  'lens.failed': 'Mercek gelmedi.',
+  'lens.again': 'Yeniden dene',
 
   'phase.name': 'Faz portresi: burulma açısına karşı burulma hızı. İz geçmişe doğru solar; noktalı çizgi hareketin gittiği yerdir.',
   'phase.gap': 'boşluğun içi: yay yok',
