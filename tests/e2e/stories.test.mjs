@@ -225,7 +225,7 @@ test('on a phone the field is behind its button, its rows are large, and the sto
   await page.getByRole('combobox', { name: 'Presets, figures, lessons' }).fill('double the gap');
   await rows(page).first().tap();
   for (let i = 0; i < 2; i++) await page.getByRole('button', { name: 'Next' }).tap();
-  await untilPlace(page, 'Double the gap, double the rattle · 3 of 3');
+  await untilPlace(page, 'Double the gap, double the rattle · 3 of 4');
   const tab = await page.getByRole('tab', { name: 'Compare' }).boundingBox();
   assert.ok(tab && tab.x >= 0 && tab.x + tab.width <= 390, 'the tab of the chosen lens is in sight');
   await page.locator('.menu summary').tap();

@@ -15,7 +15,7 @@
  */
 
 import { isVelocityUnit } from '../controls/unit.js';
-import { isOrbit, readBranch } from '../lens/cycles/settings.js';
+import { gapParameter, isOrbit, readBranch } from '../lens/cycles/settings.js';
 import { tableNumbers } from '../lens/cycles/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
@@ -206,6 +206,7 @@ const viewed = {
   histories: isHistories,
   casesSort: isSorting,
   cycleOrbit: isOrbit,
+  gapMap: (value, { parameters }) => value !== gapParameter && parameters.some(({ name }) => name === value),
   branchSweep: (value) => value === 'on' || value === 'off',
   cycleTable: (value) => tableNumbers.includes(value),
   cycleTableSort: isSorting,

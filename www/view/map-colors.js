@@ -31,6 +31,18 @@ export function colorsOf(coloring, limits, theme) {
   return (value) => (value > 0 ? grows(value / limit) : falls(-value / limit));
 }
 
+/**
+ * The colors of a map of swings: the page's own where it rests, the stronger the wider it swings. Small swings are told apart
+ * best, so colors go by the root.
+ * @param {number} limit the widest that is told apart
+ * @param {Theme} theme
+ * @returns {(amplitude: number) => Color}
+ */
+export function colorsOfSwings(limit, theme) {
+  const { calm, grows } = inksOf(theme);
+  return (amplitude) => (amplitude > 0 ? grows(0.08 + 0.92 * Math.sqrt(amplitude / limit)) : calm);
+}
+
 /** @typedef {(share: number) => Color} Ramp from 0 to 1 */
 
 /** @type {WeakMap<Theme, ReturnType<typeof mixed>>} */

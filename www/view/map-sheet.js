@@ -62,18 +62,32 @@ export function sheetOf(context, frame, map, { coloring, limits, words }, theme,
   const values = coloring === 'growthRate' ? growthRate : coloring === 'frequency' ? map.frequency?.map((one) => one || NaN) ?? null : null;
   const levels = values ? levelsOf(coloring, limits) : [];
   const decimals = tickDecimals(levels);
-  /** @type {MapSheet} */
-  const sheet = { hatch: hatchOf(frame, isUnstable, theme), lines: [], numbers: [], words: placed };
+  const write = (/** @type {number} */ level) => (level > 0 && coloring === 'growthRate' ? '+' : '') + voice.number(level, decimals);
+  const { lines, numbers } = values ? numberedLines(context, frame, thinned(field(values)), levels.map((value) => ({ value, text: write(value) })), placed, theme) : { lines: [], numbers: [] };
+  return { hatch: hatchOf(frame, isUnstable, theme), lines, numbers, words: placed };
+}
+
+/**
+ * Lines of equal value, and on each where there is room its number.
+ * @param {CanvasRenderingContext2D} context that knows how wide words are
+ * @param {Box} frame
+ * @param {import('./field.js').Field} field
+ * @param {readonly { value: number, text: string }[]} levels ascending
+ * @param {readonly Word[]} placed where words stand already
+ * @param {Theme} theme
+ * @returns {Pick<MapSheet, 'lines' | 'numbers'>}
+ */
+export function numberedLines(context, frame, field, levels, placed, theme) {
+  /** @type {Pick<MapSheet, 'lines' | 'numbers'>} */
+  const sheet = { lines: [], numbers: [] };
   context.font = textFont(theme, 0.85);
-  const found = values ? isoLinesOf(thinned(field(values)), levels) : [];
-  found.forEach((places, i) => {
-    const level = levels[i];
+  isoLinesOf(field, levels.map(({ value }) => value)).forEach((places, i) => {
     const lines = places.map(({ across, up }) => ({
       x: across.map((share) => frame.left + share * (frame.right - frame.left)),
       y: up.map((share) => frame.bottom - share * (frame.bottom - frame.top)),
     }));
     sheet.lines.push(...lines);
-    const text = (level > 0 && coloring === 'growthRate' ? '+' : '') + voice.number(level, decimals);
+    const { text } = levels[i];
     const size = { width: context.measureText(text).width + 6, height: theme.size * 1.2 };
     const longest = lines.reduce((most, line) => (line.x.length > most.x.length ? line : most), { x: /** @type {number[]} */ ([]), y: /** @type {number[]} */ ([]) });
     const box = numberPlaces.map((share) => boxOn(longest, share, size)).find((one) => one && isInside(one, frame)
@@ -85,7 +99,7 @@ export function sheetOf(context, frame, map, { coloring, limits, words }, theme,
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {MapSheet} sheet
+ * @param {Pick<MapSheet, 'lines'>} sheet
  * @param {Theme} theme
  */
 export function drawIsoLines(context, { lines }, theme) {
@@ -98,7 +112,7 @@ export function drawIsoLines(context, { lines }, theme) {
   context.globalAlpha = 1;
 }
 
-/** The numbers of those lines. @param {CanvasRenderingContext2D} context @param {MapSheet} sheet @param {Theme} theme */
+/** The numbers of those lines. @param {CanvasRenderingContext2D} context @param {Pick<MapSheet, 'numbers'>} sheet @param {Theme} theme */
 export function drawMapNumbers(context, { numbers }, theme) {
   writeWords(context, numbers, textFont(theme, 0.85), theme);
 }

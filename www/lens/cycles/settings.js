@@ -5,6 +5,7 @@
  *     view.cycleOrbit=space,56,20      how the cycle is drawn: a portrait, or in space from where
  *     view.branch=velocity:1:120,torsionAngle      what varies, and what stands upward
  *     view.branchSweep=on              whether a simulated sweep lies over it
+ *     view.gapMap=dampingConstant      what is to the right of the gap
  *     view.cycleTable=5.12             which table
  *     view.cycleTableSort=…,down       by which column it is sorted; view.methodsSort likewise
  */
@@ -18,7 +19,7 @@ import { heights } from './branches.js';
  */
 
 /** The views, the first is the usual one; what each is stands in views.js. */
-export const viewNames = /** @type {const} */ (['cycle', 'branch', 'methods', 'tables']);
+export const viewNames = /** @type {const} */ (['cycle', 'branch', 'methods', 'tables', 'freeplay']);
 
 /** How a cycle can be drawn. */
 export const orbitViews = /** @type {const} */ (['portrait', 'deformation', 'space']);
@@ -62,3 +63,19 @@ export function readBranch(text, parameters) {
 
 /** @param {Branch} branch */
 export const writeBranch = ({ range, height }) => `${writeRange(range)},${height}`;
+
+/** The gap, as the engine names it. */
+export const gapParameter = 'freeplayAngle';
+
+/**
+ * The ranges of the map over the gap; null where the gear has none.
+ * @param {string} text what is to the right; the speed unless said
+ * @param {readonly { name: string, min: number, max: number }[]} parameters
+ * @returns {{ x: Range | null, y: Range | null }}
+ */
+export function gapRanges(text, parameters) {
+  const named = (/** @type {string} */ name) => parameters.find((one) => one.name === name);
+  const range = (/** @type {ReturnType<typeof named>} */ one) => (one ? { parameter: one.name, from: one.min, to: one.max } : null);
+  const across = text === gapParameter ? undefined : named(text);
+  return { x: range(across ?? named('velocity')), y: range(named(gapParameter)) };
+}

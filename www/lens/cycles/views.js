@@ -1,6 +1,7 @@
 import { html } from 'lit';
 import './branch.js';
 import './cycle.js';
+import './freeplay.js';
 import './methods.js';
 import './tables.js';
 
@@ -38,5 +39,10 @@ export const cycleViews = {
     template: ({ voice, quantities, settings, isVeiled }) => html`<shimmy-cycle-tables class="stability-panel" .voice=${voice} .quantities=${quantities}
       .settings=${settings} .isVeiled=${isVeiled}></shimmy-cycle-tables>`,
     fits: false, needsCycle: false,
+  },
+  freeplay: {
+    template: ({ voice, quantities, settings, isVeiled, watch }) => html`<shimmy-freeplay class="stability-panel" .voice=${voice} .quantities=${quantities}
+      .settings=${settings} .isVeiled=${isVeiled} .watch=${watch}></shimmy-freeplay>`,
+    fits: false, needsCycle: true,
   },
 };

@@ -6,6 +6,8 @@ export const cycles = {
   'cycles.line.branch': 'Press on a branch: the gear swings on that very cycle.',
   'cycles.view.methods': 'Three methods',
   'cycles.line.methods': 'One number, three ways that have nothing in common. Press a speed to go there.',
+  'cycles.view.freeplay': 'Freeplay',
+  'cycles.line.freeplay': 'Drag the point: small rattles grow in proportion to the gap.',
   'cycles.view.tables': 'Tables 5.8 – 6.5',
   'cycles.line.tables': 'Computed now, with the other values as they are. Press a row to set its values.',
 
@@ -62,6 +64,14 @@ export const cycles = {
   'branch.start.on': 'Start on it',
   'branch.start.inside': 'Just inside',
   'branch.start.outside': 'Just outside',
+
+  'gap.title': 'Swings over the gap',
+  'gap.over': 'Steady swing over {gap} and',
+  'gap.foreign': 'This object has no gap.',
+  'gap.map': 'Map of how widely the gear swings in the end: {x} to the right, {y} upward.',
+  'gap.map.veiled': 'Map of swings: {x} to the right, {y} upward. Hidden until you have guessed.',
+  'gap.branch': 'Amplitude of the cycles over the gap.',
+  'gap.rests': 'dies out',
 
   'methods.here': 'The gear as it is',
   'methods.describing': 'describing functions',

@@ -6,6 +6,8 @@ export const cycles = {
   'cycles.line.branch': 'Bir dala bas: takım tam o çevrimde salınır.',
   'cycles.view.methods': 'Üç yöntem',
   'cycles.line.methods': 'Bir sayı, birbirine benzemeyen üç yol. Bir hıza basınca oraya gidilir.',
+  'cycles.view.freeplay': 'Boşluk',
+  'cycles.line.freeplay': 'Noktayı sürükle: küçük takırtılar boşlukla orantılı büyüyor.',
   'cycles.view.tables': 'Tablo 5.8 – 6.5',
   'cycles.line.tables': 'Şimdi hesaplandı, öteki değerler olduğu gibi. Bir satıra basınca değerleri girilir.',
 
@@ -62,6 +64,14 @@ export const cycles = {
   'branch.start.on': 'Üzerinde başlat',
   'branch.start.inside': 'Hemen içinde',
   'branch.start.outside': 'Hemen dışında',
+
+  'gap.title': 'Boşluk üzerinde salınımlar',
+  'gap.over': 'Kalıcı salınım: {gap} ile',
+  'gap.foreign': 'Bu nesnede boşluk yok.',
+  'gap.map': 'Takımın sonunda ne kadar geniş salındığının haritası: sağa doğru {x}, yukarı doğru {y}.',
+  'gap.map.veiled': 'Salınım haritası: sağa doğru {x}, yukarı doğru {y}. Tahmin edene kadar gizli.',
+  'gap.branch': 'Boşluk üzerinde çevrimlerin genliği.',
+  'gap.rests': 'sönüyor',
 
   'methods.here': 'Takım bu haliyle',
   'methods.describing': 'tanımlayıcı işlev',
