@@ -11,7 +11,11 @@ use shimmy::{
 
 /// The gear at 80 m/s with damping `c`, from the torsion angle `psi`.
 fn at_80(c: f64, psi: f64) -> Outlook {
-    gear(&[("velocity", 80.0), ("dampingConstant", c)], psi)
+    at_80_run(c).starting("torsionAngle", psi).unwrap().outlook().unwrap()
+}
+
+fn at_80_run(c: f64) -> Run {
+    linear::gear(&[("velocity", 80.0), ("dampingConstant", c)])
 }
 
 fn gear(parameters: &[(&str, f64)], psi: f64) -> Outlook {
@@ -25,6 +29,16 @@ fn the_verdict_changes_at_the_critical_damping() {
     for psi in [0.002, 0.05, 0.3] {
         assert_eq!(at_80(48.52, psi).verdict, Verdict::Shimmies, "from {psi}");
         assert_eq!(at_80(48.54, psi).verdict, Verdict::DiesOut, "from {psi}");
+    }
+}
+
+#[test]
+fn on_the_boundary_itself_a_swing_dies_out() {
+    // There the linear gear swings on for ever, and the tire, whose forces grow less than the slip, takes from any larger swing.
+    let critical = at_80_run(20.0).routh_hurwitz().unwrap().critical_damping.unwrap();
+    for psi in [0.02, 0.05, 0.3] {
+        let outlook = at_80(critical, psi);
+        assert_eq!(outlook.verdict, Verdict::DiesOut, "from {psi}: heads for {}", outlook.amplitude[0]);
     }
 }
 

@@ -38,6 +38,10 @@ pub(super) fn shortcut<S: Gear<N>, const N: usize>(
         }
         let slope = (now.1 - before.1) / (now.0 - before.0);
         let zero = now.0 - now.1 / slope;
+        // What grows from rest by no more than that is on the boundary: a swing that falls there falls all the way.
+        if now.1 < 0.0 && slope < 0.0 && -slope * zero < NONE {
+            return Ok((End::Dies, cycle));
+        }
         // Without a zero ahead (falling all the way down, or rising all the way up) take a long stride and look again.
         let target = match (slope < 0.0 && zero > 0.0, now.1 < 0.0) {
             // Not clamp, which would bring its own message with both numbers.
