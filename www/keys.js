@@ -11,6 +11,9 @@
 /** Elements that page by these keys themselves; a knob's slider does where no pointer has led to it (see page.js). */
 const ownPages = 'select, [role="combobox"], shimmy-page:not([data-pointed]) [type="range"]';
 
+/** Elements that a space presses; a button where no pointer has led to it: who clicks a lens, and then a space, wants a pause. */
+const ownSpace = 'select, [role="combobox"], input:not(.number, [type="range"]), shimmy-page:not([data-pointed]) :is(button, summary)';
+
 /** @type {readonly Shortcut[]} */
 export const shortcuts = [
   { keys: ['1'], command: 'guess', value: 'dies-out', word: 'guess', whileVeiled: true },
@@ -18,7 +21,7 @@ export const shortcuts = [
   { keys: ['3'], command: 'guess', value: 'grows', word: 'guess', whileVeiled: true },
   { keys: ['Enter'], command: 'reveal', word: 'reveal', usedBy: 'button, summary, select, a', whileVeiled: true },
   { keys: ['PageDown'], command: 'reveal', word: 'reveal', whileVeiled: true },
-  { keys: [' '], command: 'toggle', word: 'play', isElementsOwn: true },
+  { keys: [' '], command: 'toggle', word: 'play', usedBy: ownSpace },
   { keys: ['ArrowLeft'], command: 'back', word: 'step', isElementsOwn: true },
   { keys: ['ArrowRight'], command: 'on', word: 'step', isElementsOwn: true },
   { keys: ['r'], command: 'start', word: 'start' },
@@ -48,4 +51,13 @@ export function shortcutOf(event, isVeiled) {
   const isUsed = isAt('button, select, summary, input, [role="slider"]');
   return shortcuts.find(({ keys, isElementsOwn, usedBy, whileVeiled }) =>
     keys.includes(event.key) && !(isElementsOwn && isUsed) && !(usedBy && isAt(usedBy)) && (isVeiled || !whileVeiled)) ?? null;
+}
+
+/**
+ * Whether a key says nothing to a field for numbers in which nothing is being typed: it is the page's then.
+ * @param {KeyboardEvent} event
+ */
+export function writesNoNumber({ key, ctrlKey, metaKey, altKey }) {
+  if (ctrlKey || metaKey) return key.toLowerCase() === 'z';
+  return !altKey && /^[a-df-z /?]$/i.test(key);
 }

@@ -12,7 +12,7 @@ import { App } from './app.js';
 import { loadEngine } from './engine/engine.js';
 import { mapTiles, runJob } from './engine/workers.js';
 import { keep, recall } from './keep.js';
-import { shortcutOf } from './keys.js';
+import { shortcutOf, writesNoNumber } from './keys.js';
 import { lensElement } from './lens/elements.js';
 import { Loop } from './loop.js';
 import { materialOf } from './out/from-page.js';
@@ -40,6 +40,8 @@ export class Page extends LitElement {
   #teller = new Teller();
   #linkTimer = 0;
   /** What language and appearance the document has. */ #dressed = '';
+  /** The field in which something is being typed. @type {EventTarget | null} */ #typing = null;
+  /** What had the focus when a space was the page's. @type {EventTarget | null} */ #spaced = null;
 
   constructor() {
     super();
@@ -64,6 +66,14 @@ export class Page extends LitElement {
     window.addEventListener('hashchange', ({ newURL }) => this.#app.openLink(new URL(newURL).hash));
     window.addEventListener('pagehide', () => this.#remember());
     window.addEventListener('keydown', (event) => this.#key(event));
+    // What is typed is the field's until it is entered or left.
+    window.addEventListener('input', ({ target }) => { this.#typing = target; }, true);
+    for (const kind of ['change', 'focusout']) window.addEventListener(kind, () => { this.#typing = null; }, true);
+    // Some browsers press a button as the key goes up.
+    window.addEventListener('keyup', (event) => {
+      if (event.key === ' ' && this.#spaced === event.target) event.preventDefault();
+      this.#spaced = null;
+    }, true);
     window.addEventListener('pointerdown', () => this.toggleAttribute('data-pointed', true), true);
     window.addEventListener('keydown', ({ key }) => key === 'Tab' && this.toggleAttribute('data-pointed', false), true);
     // A clicker's keys come before a slider that has the focus from a mouse.
@@ -195,7 +205,9 @@ export class Page extends LitElement {
   #key(event) {
     // A clicker has no key that writes.
     const isClicked = ['PageUp', 'PageDown'].includes(event.key);
-    const isWriting = event.target instanceof HTMLInputElement && ['text', 'search'].includes(event.target.type) && !isClicked;
+    const field = event.target instanceof HTMLInputElement && ['text', 'search'].includes(event.target.type) ? event.target : null;
+    const isNumberAtRest = field?.matches('.number') && field !== this.#typing;
+    const isWriting = field && !isClicked && !(isNumberAtRest && writesNoNumber(event));
     if (!this.#app.session || event.defaultPrevented || isWriting) return;
     if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z') {
       event.preventDefault();
@@ -217,6 +229,7 @@ export class Page extends LitElement {
     if (!shortcut) return;
     event.preventDefault();
     event.stopPropagation();
+    if (event.key === ' ') this.#spaced = event.target;
     this.#carryOut({ name: shortcut.command, value: shortcut.value });
   }
 

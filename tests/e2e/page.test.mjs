@@ -291,6 +291,38 @@ test('a change by the keyboard is spoken once it is made', async () => {
   await slider.press('Shift+ArrowUp');
   assert.equal(await slider.getAttribute('aria-valuetext'), '30.0 N m s/rad');
   await page.locator('shimmy-verdict [aria-live]', { hasText: 'heads for ±11.8°' }).waitFor({ timeout: 5000 });
+  // What is seen goes on changing: an old verdict beside it would contradict it.
+  await page.waitForFunction(() => document.querySelector('shimmy-verdict [aria-live]')?.textContent === '');
+  await leave();
+});
+
+test('keys are the page’s again once a number is entered, and after a click on a lens', async () => {
+  const { page, leave } = await site.open('#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05');
+  await untilVerdict(page, 'It shimmies');
+  const field = page.locator('shimmy-dock shimmy-knob[data-name="dampingConstant"] .number');
+  await field.fill('33');
+  await field.press('p');
+  assert.equal(await field.inputValue(), '33p', 'what is being typed is the field’s');
+  await field.fill('33');
+  await field.press('Enter');
+  await page.waitForURL(/dampingConstant:33/);
+  await field.press('Control+z');
+  await page.waitForURL((url) => !url.hash.includes('dampingConstant:33'));
+  await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.querySelector('shimmy-dock shimmy-knob[data-name="dampingConstant"] .number')).value === '20.0');
+  const isPlaying = () => page.getByRole('button', { name: 'Pause', exact: true }).count();
+  assert.equal(await isPlaying(), 1);
+  await field.press(' ');
+  assert.equal(await isPlaying(), 0);
+  assert.equal(await field.inputValue(), '20.0');
+  await page.getByRole('tab', { name: 'Forces' }).click();
+  await page.keyboard.press(' ');
+  assert.equal(await isPlaying(), 1);
+  assert.equal(await page.getByRole('tab', { name: 'Forces' }).getAttribute('aria-selected'), 'true');
+  // Who came there by the keyboard presses what has the focus.
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press(' ');
+  assert.equal(await isPlaying(), 1);
   await leave();
 });
 

@@ -10,6 +10,8 @@ import { heldLine, numbersOf } from './verdict-line.js';
 
 /** How long a spoken verdict stands before the next may be spoken, in ms. */
 const shortestSilence = 2000;
+/** How long it is left to be heard, in ms: later its numbers are those of another moment, and what is seen is read instead. */
+const heardFor = 5000;
 
 /**
  * One word and two numbers: what the motion does, how wide, how fast, where it heads. All of it from the engine's
@@ -93,6 +95,7 @@ export class Verdict extends LitElement {
     this.#spokenKey = key;
     this.#spokenAt = performance.now();
     this.spoken = [voice.say(`verdict.${manner}`), ...numbersOf(outlook, voice).map(({ text }) => text)].join(', ');
+    this.#later = setTimeout(() => { this.spoken = ''; }, heardFor);
   }
 }
 
