@@ -26,6 +26,18 @@ test('of several values set at once one that is refused lets none through', () =
   assert.deepEqual([store.state.parameters.dampingConstant, store.state.parameters.velocity], [20, 80]);
 });
 
+test('a value that is in force already is nothing done: neither undo nor a link has it', () => {
+  const { store, session } = opened();
+  session.advance(0.1);
+  assert.equal(session.set('velocity', 80, null), null);
+  assert.equal(session.setPoint({ velocity: 80, dampingConstant: 20 }, null), null);
+  assert.ok(!store.canUndo);
+  assert.deepEqual([session.recipe.changes, store.state.links], [[], opened().store.state.links]);
+  session.setPoint({ velocity: 80, dampingConstant: 33 }, null);
+  assert.deepEqual(session.recipe.changes, [{ time: 0.1, set: { dampingConstant: 33 } }]);
+  assert.equal(session.set('velocity', NaN, null)?.code, 'not-finite');
+});
+
 test('a wild value stops the run without a throw, and the next one finds the motion as it was', () => {
   for (const [name, value] of /** @type {[string, number][]} */ ([['casterLength', 1e6], ['relaxationLength', 1e-300]])) {
     const { session } = opened();

@@ -157,8 +157,8 @@ export class Knob extends LitElement {
       this.refusal = { code: 'too-large' };
       return;
     }
-    // What stands there already is no new value: writing it back would lose the digits that are not shown.
-    if (field.value !== quantity.number(this.value, voice)) this.#set(quantity.toSI(shown));
+    // What stands there already is no new value, however it is written: it would lose the digits that are not shown.
+    if (shown !== parseNumber(quantity.number(this.value, voice))) this.#set(quantity.toSI(shown));
     else this.refusal = null;
     if (!this.refusal) field.value = quantity.number(quantity.toSI(shown), voice);
   }

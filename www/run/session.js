@@ -13,6 +13,7 @@ import { Lookout } from './lookout.js';
 import { Odometer } from './odometer.js';
 import { PastEnvelope } from './past-envelope.js';
 import { fitted, isTooWide, leastScales, magnificationOf, refitted, swingOf } from './scales.js';
+import { isSameRecord } from '../store.js';
 import { sceneOf } from './scene.js';
 
 /**
@@ -352,7 +353,12 @@ export class Session {
   #setAll(values, links, gesture) {
     const place = this.#place;
     try {
-      this.#apply(values(), gesture);
+      const wanted = values();
+      const others = Object.fromEntries(Object.entries(wanted).filter(([name, value]) => value !== this.#live.parameters[name]));
+      const isOther = Object.keys(others).length > 0;
+      // Where no value is another, nothing is done that undo would take back and a link would carry.
+      if (!isOther && !this.failure && isSameRecord(links, this.#store.state.links)) return null;
+      if (isOther || this.failure) this.#apply(this.failure ? wanted : others, gesture);
     } catch (error) {
       return /** @type {Refusal} */ (error);
     }
