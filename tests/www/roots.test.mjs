@@ -178,6 +178,16 @@ test('who walks on from a beginning that was undone to has a way behind through 
   assert.ok(walk.crossing);
 });
 
+test('from one run to the next, as from figure to figure, no way is come and nothing crosses', () => {
+  const walk = new RootsWalk();
+  const [first, second] = [{}, {}];
+  walk.follow({ ...gear({ velocity: 20 }), begun: first }, 0);
+  assert.equal(walk.follow({ ...gear({ velocity: 80 }), begun: second }, 0.1), 'changed');
+  assert.deepEqual([walk.trail, walk.crossing], [[walk.roots], null]);
+  assert.equal(walk.follow({ ...gear({ velocity: 20 }), begun: second }, 0.2), 'crossed');
+  assert.equal(walk.trail.length, 2);
+});
+
 test('the way of a walk has an end, another object has none behind it, and values that cannot be computed with leave nothing', () => {
   const walk = new RootsWalk();
   walk.follow(gear({ velocity: 20 }), 0);

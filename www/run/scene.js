@@ -60,6 +60,8 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, lookout, s
   const model = { model: object, parameters };
   return {
     object, time, state, parameters,
+    // Another object once another run was begun.
+    begun: /** @type {object} */ (live),
     forces: engine.forces(model, state),
     past, orbitPast,
     track: tracked(live, 0),

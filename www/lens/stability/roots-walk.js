@@ -21,7 +21,7 @@ const halvings = 40;
 const onAxis = 1e-6;
 
 export class RootsWalk {
-  /** @type {{ object: string, values: Readonly<Record<string, number>> } | null} */ #gear = null;
+  /** @type {{ object: string, begun: object | undefined, values: Readonly<Record<string, number>> } | null} */ #gear = null;
   #changedAt = -Infinity;
   /** Where walks began: who is back there has undone what came of them. @type {Readonly<Record<string, number>>[]} */ #starts = [];
   /** @type {readonly Root[]} */ roots = [];
@@ -30,22 +30,23 @@ export class RootsWalk {
 
   /**
    * Takes the values as they are now.
-   * @param {{ object: string, parameters: Readonly<Record<string, number>>, linear: LinearLooks }} gear
+   * @param {{ object: string, parameters: Readonly<Record<string, number>>, linear: LinearLooks, begun?: object }} gear `begun`: another
+   *   object once another run was begun: from one figure to the next no way is come
    * @param {number} now in s
    * @returns {'same' | 'changed' | 'crossed'}
    */
-  follow({ object, parameters, linear }, now) {
+  follow({ object, parameters, linear, begun }, now) {
     const last = this.#gear;
     if (last && last.object === object && isSameRecord(last.values, parameters)) return 'same';
     const before = this.roots;
-    this.#gear = { object, values: { ...parameters } };
+    this.#gear = { object, begun, values: { ...parameters } };
     try {
       this.roots = linear.eigenvalues();
     } catch {
       Object.assign(this, { roots: [], trail: [], crossing: null });
       return 'changed';
     }
-    if (last?.object !== object || before.length !== this.roots.length) {
+    if (last?.object !== object || last.begun !== begun || before.length !== this.roots.length) {
       this.#starts = [];
       return this.#rest();
     }
