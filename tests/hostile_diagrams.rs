@@ -178,8 +178,8 @@ fn any_plane_has_its_folds_or_is_refused() {
             named("seeds", Value::Number(1.0)),
         ])
     });
-    let good = run(12, plane, traced);
-    assert!(good > 0, "{good} of 12 were good");
+    let good = run(40, plane, traced);
+    assert!(good > 0, "{good} of 40 were good");
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Where a motion gets to in a given time, and its neighbours with it: all that shooting asks of a gear.
 
 use super::{
-    shooting::norm,
     square::{GAUSS, Square, propagator},
+    vector::{norm, vector},
 };
 use crate::{
     error::Result,
@@ -107,7 +107,7 @@ impl<S: System<N>, const N: usize> Carrier<S, N> {
     }
 
     fn scaled(&self, x: &[f64; N]) -> Vec<f64> {
-        x.iter().zip(&self.scale).map(|(x, scale)| x / scale).collect()
+        vector(N, &|i| x[i] / self.scale[i])
     }
 
     /// How the last step has carried its neighbours.
@@ -166,10 +166,9 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
                 rise = self.motion.interpolate(t);
             }
         }
-        let of = |value: &dyn Fn(usize) -> f64| (0..N).map(value).collect::<Vec<f64>>();
         Ok(Swing {
-            amplitude: of(&|i| high[i].max(-low[i])),
-            size: norm(&of(&|i| 0.5 * (high[i] - low[i]) / self.scale[i])),
+            amplitude: vector(N, &|i| high[i].max(-low[i])),
+            size: norm(&vector(N, &|i| 0.5 * (high[i] - low[i]) / self.scale[i])),
             rise: rise.to_vec(),
         })
     }

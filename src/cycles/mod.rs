@@ -14,6 +14,7 @@ mod flow;
 mod shooting;
 mod square;
 mod start;
+mod vector;
 
 use nalgebra::Complex;
 
@@ -29,6 +30,7 @@ use self::{
     flow::{Carrier, Flow, Swing},
     shooting::Periodic,
     start::starts,
+    vector::vector,
 };
 use crate::{
     error::Result,
@@ -73,7 +75,7 @@ pub(crate) fn limit_cycle<S: Gear<N>, const N: usize>(
     guess: Option<&Guess>,
 ) -> Result<Option<LimitCycle>> {
     let scales = posed.tables.description.state;
-    let scaled = |x: &[f64]| -> Vec<f64> { x.iter().zip(scales).map(|(x, state)| x / state.scale).collect() };
+    let scaled = |x: &[f64]| vector(x.len(), &|i| x[i] / scales[i].scale);
     if let Some(guess) = guess {
         let mut carrier = Carrier::of(posed, guess.period)?;
         if let Some(found) = shooting::periodic(&mut carrier, &scaled(&guess.state), guess.period)? {

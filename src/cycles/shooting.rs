@@ -1,8 +1,12 @@
 //! Shooting: the start and the time after which a motion is back at it.
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::Complex;
 
-use super::{flow::Flow, square::Square};
+use super::{
+    flow::Flow,
+    square::Square,
+    vector::{complex, direction, dot, matrix, norm, real, sum, times},
+};
 use crate::{
     error::Result,
     few::sort_few,
@@ -51,7 +55,7 @@ pub(super) fn periodic(flow: &mut dyn Flow, x: &[f64], period: f64) -> Result<Op
     let Some((early, _)) = flow.carry(x, period, false) else { return Ok(None) };
     // The time when it passes nearest: what is left to Newton's method is the slower part.
     let (leaving, arriving) = (flow.rate(x), flow.rate(&early));
-    let ahead: Vec<f64> = x.iter().zip(&early).map(|(x, early)| x - early).collect();
+    let ahead = sum(x, -1.0, &early);
     let wait = dot(&leaving, &ahead) / dot(&leaving, &arriving);
     let period = if wait.abs() < 0.1 * period { period + wait } else { period };
     let Some((end, _)) = flow.carry(x, period, false) else { return Ok(None) };
@@ -77,7 +81,7 @@ pub(super) fn whole(flow: &mut dyn Flow, x: &[f64], period: f64, odd: bool) -> R
 
 /// f(−x) = −f(x).
 pub(super) fn is_odd(flow: &dyn Flow, x: &[f64]) -> bool {
-    let mirrored: Vec<f64> = x.iter().map(|x| -x).collect();
+    let mirrored = times(-1.0, x);
     let (here, there) = (flow.rate(x), flow.rate(&mirrored));
     gap(&there, &here, -1.0) < 1e-12
 }
@@ -85,18 +89,7 @@ pub(super) fn is_odd(flow: &dyn Flow, x: &[f64]) -> bool {
 /// By how much `end` misses ± `x`, measured by x.
 #[inline(never)]
 pub(super) fn gap(end: &[f64], x: &[f64], sign: f64) -> f64 {
-    let miss: Vec<f64> = end.iter().zip(x).map(|(end, x)| end - sign * x).collect();
-    norm(&miss) / norm(x)
-}
-
-#[inline(never)]
-pub(super) fn norm(x: &[f64]) -> f64 {
-    dot(x, x).sqrt()
-}
-
-#[inline(never)]
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
+    norm(&sum(end, -sign, x)) / norm(x)
 }
 
 /// The motion that is at ± its start after about `duration`, by Newton's method on start and time.
@@ -119,7 +112,7 @@ fn solution(flow: &mut dyn Flow, from: &[f64], duration: f64, sign: f64) -> Resu
         if size < REST * norm(from) || speed * time < REST * size {
             return Ok(None);
         }
-        let rows = DMatrix::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
+        let rows = matrix(n + 1, &|i, j| match (i < n, j < n) {
             (true, true) => arrival.1.at(i, j) - if i == j { sign } else { 0.0 },
             (true, false) => arriving[i] * time,
             (false, true) => leaving[j] / speed,
@@ -128,8 +121,7 @@ fn solution(flow: &mut dyn Flow, from: &[f64], duration: f64, sign: f64) -> Resu
         // The step that the matrix asks for where a motion from x arrives at `end`, and how large that is.
         let asked = |end: &[f64], x: &[f64]| {
             let miss = |i: usize| Complex::from(if i < n { sign * x[i] - end[i] } else { 0.0 });
-            let solved = Triangle::of(&rows, 0.0.into(), &(0..=n).map(miss).collect::<Vec<_>>()).solution(0.0);
-            let step: Vec<f64> = solved.iter().map(|part| part.re).collect();
+            let step = real(&Triangle::of(&rows, 0.0.into(), &complex(n + 1, &miss)).solution(0.0));
             let long = (norm(&step[..n]) / size).max(step[n].abs());
             (step, long)
         };
@@ -139,7 +131,7 @@ fn solution(flow: &mut dyn Flow, from: &[f64], duration: f64, sign: f64) -> Resu
         }
         let mut part = (LONGEST / long).min(1.0);
         loop {
-            let there: Vec<f64> = x.iter().zip(&step).map(|(x, step)| x + part * step).collect();
+            let there = sum(&x, part, &step[..n]);
             let then = time * (1.0 + part * step[n]);
             if long < LAST {
                 let close = gap(&arrival.0, &x, sign) < CLOSE;
@@ -160,10 +152,10 @@ fn solution(flow: &mut dyn Flow, from: &[f64], duration: f64, sign: f64) -> Resu
 }
 
 /// What the matrix of one round, or of half a round and its mirror, says.
-fn told(x: Vec<f64>, time: f64, (matrix, leaving): (&Square, &[f64]), sign: f64) -> Result<Option<Periodic>> {
+fn told(x: Vec<f64>, time: f64, (around, leaving): (&Square, &[f64]), sign: f64) -> Result<Option<Periodic>> {
     let n = x.len();
     let symmetric = sign < 0.0;
-    let (trivial, mut others) = multipliers(&Square::of(n, &|i, j| sign * matrix.at(i, j)), leaving)?;
+    let (trivial, mut others) = multipliers(&Square::of(n, &|i, j| sign * around.at(i, j)), leaving)?;
     let trivial = if symmetric { trivial * trivial } else { trivial };
     if symmetric {
         others.iter_mut().for_each(|value| *value = squared(value));
@@ -193,15 +185,14 @@ pub(super) fn squared(value: &Complex<f64>) -> Complex<f64> {
 ///
 /// # Errors
 /// A matrix so extreme that its eigenvalues leave the numbers.
-pub(super) fn multipliers(matrix: &Square, leaving: &[f64]) -> Result<(f64, Vec<Complex<f64>>)> {
+pub(super) fn multipliers(around: &Square, leaving: &[f64]) -> Result<(f64, Vec<Complex<f64>>)> {
     let n = leaving.len();
-    let speed = norm(leaving);
-    let mut normal: Vec<f64> = leaving.iter().map(|part| part / speed).collect();
+    let mut normal = direction(leaving);
     normal[0] += 1.0_f64.copysign(normal[0]);
     let scale = 2.0 / dot(&normal, &normal);
     let mirror = Square::of(n, &|i, j| f64::from(u8::from(i == j)) - scale * normal[i] * normal[j]);
-    let turned = mirror.times(matrix).times(&mirror);
-    let mut others = eigenvalues(&DMatrix::from_fn(n - 1, n - 1, |i, j| turned.at(i + 1, j + 1)))?;
+    let turned = mirror.times(around).times(&mirror);
+    let mut others = eigenvalues(&matrix(n - 1, &|i, j| turned.at(i + 1, j + 1)))?;
     // They come by falling real part, and of a pair the positive one first; the sizes of a pair are the same.
     sort_few(&mut others, |a, b| a.norm_sqr() > b.norm_sqr());
     Ok((turned.at(0, 0), others))

@@ -6,10 +6,10 @@ use super::{
     family::Family,
     hopf::null_vector,
     newton::{Chart, Place, Solved, solution},
-    walk::Stop,
+    walk::{Stop, rescaled},
 };
 use crate::{
-    cycles::shooting::{dot, norm},
+    cycles::vector::{axis, direction, dot, matrix, norm, real, sum, times},
     error::Result,
 };
 
@@ -105,9 +105,7 @@ impl Equations {
         let phase = family.flow().rate(&from.place.x);
         let mut equations = Self { from: from.clone(), phase, left: Vec::new(), right: Vec::new() };
         let (matrix, _) = equations.matrix(family, sheet, from)?;
-        let null = |matrix: &DMatrix<f64>| -> Vec<f64> {
-            null_vector(matrix, Complex::from(0.0)).iter().map(|part| part.re).collect()
-        };
+        let null = |matrix: &DMatrix<f64>| real(&null_vector(matrix, Complex::from(0.0)));
         (equations.left, equations.right) = (null(&matrix.transpose()), null(&matrix));
         Some(equations)
     }
@@ -120,26 +118,26 @@ impl Equations {
         family.aside(spot.other);
         (*time > 0.0 && family.vary(*value)).then_some(())?;
         let flow = family.flow();
-        let (end, matrix) = flow.carry(x, *time, true)?;
+        let (end, around) = flow.carry(x, *time, true)?;
         let arriving = flow.rate(&end);
         let speed = norm(&self.phase);
-        let rows = DMatrix::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
-            (true, true) => matrix.at(i, j) - if i == j { sign } else { 0.0 },
+        let rows = matrix(n + 1, &|i, j| match (i < n, j < n) {
+            (true, true) => around.at(i, j) - if i == j { sign } else { 0.0 },
             (true, false) => arriving[i] * time / size,
             (false, true) => self.phase[j] / speed,
             (false, false) => 0.0,
         });
-        Some((rows, (0..n).map(|i| (end[i] - sign * x[i]) / size).collect()))
+        Some((rows, times(1.0 / size, &sum(&end, -sign, x))))
     }
 
     /// By how much a spot misses a fold.
     fn miss(&self, family: &mut dyn Family, sheet: &Sheet, spot: &Spot) -> Option<Vec<f64>> {
-        let (matrix, mut miss) = self.matrix(family, sheet, spot)?;
+        let (inner, mut miss) = self.matrix(family, sheet, spot)?;
         let n = miss.len();
-        let moved: Vec<f64> = spot.place.x.iter().zip(&self.from.place.x).map(|(x, from)| x - from).collect();
+        let moved = sum(&spot.place.x, -1.0, &self.from.place.x);
         miss.push(dot(&self.phase, &moved) / (norm(&self.phase) * sheet.chart.size));
-        let bordered = DMatrix::from_fn(n + 2, n + 2, |i, j| match (i <= n, j <= n) {
-            (true, true) => matrix[(i, j)],
+        let bordered = matrix(n + 2, &|i, j| match (i <= n, j <= n) {
+            (true, true) => inner[(i, j)],
             (true, false) => self.left[i],
             (false, true) => self.right[j],
             (false, false) => 0.0,
@@ -153,9 +151,8 @@ impl Equations {
     fn rows(&self, family: &mut dyn Family, sheet: &Sheet, spot: &Spot, border: &[f64]) -> Option<DMatrix<f64>> {
         let last = border.len() - 1;
         let here = self.miss(family, sheet, spot)?;
-        let mut rows = DMatrix::from_fn(last + 1, last + 1, |_, j| border[j]);
+        let mut rows = matrix(last + 1, &|_, j| border[j]);
         for j in 0..=last {
-            let mut way = vec![0.0; last + 1];
             // Inwards from the edges, beyond which a parameter may mean nothing.
             let inwards = match j + 1 {
                 _ if j + 2 == border.len() => spot.place.value + ASIDE * sheet.chart.width() > sheet.chart.high,
@@ -163,7 +160,7 @@ impl Equations {
                 _ => false,
             };
             let aside = if inwards { -ASIDE } else { ASIDE };
-            way[j] = 1.0;
+            let way = axis(last + 1, j);
             let there = self.miss(family, sheet, &sheet.ahead(spot, &way, aside))?;
             (0..last).for_each(|i| rows[(i, j)] = (there[i] - here[i]) / aside);
         }
@@ -231,8 +228,7 @@ impl FoldWalk {
         let Some(equations) = Equations::around(family, sheet, seed) else { return Ok(None) };
         let sense = if back { -1.0 } else { 1.0 };
         // A first tangent: rows without a border, completed by either parameter.
-        let axis = |which: usize| -> Vec<f64> { (0..n + 3).map(|j| if j == which { sense } else { 0.0 }).collect() };
-        for border in [axis(n + 2), axis(n + 1)] {
+        for border in [n + 2, n + 1].map(|which| times(sense, &axis(n + 3, which))) {
             if let Some((spot, rows)) = equations.correct(family, sheet, seed, &border)
                 && let Some(tangent) = tangent(rows, &border)
             {
@@ -284,10 +280,7 @@ impl FoldWalk {
                 return Ok(Some(FoldEnd::Closed));
             }
             // The way is measured by the cycle's size.
-            let mut tangent = tangent;
-            tangent[..n].iter_mut().for_each(|part| *part *= self.sheet.chart.size / size);
-            let long = norm(&tangent);
-            tangent.iter_mut().for_each(|part| *part /= long);
+            let tangent = rescaled(&tangent, n, self.sheet.chart.size / size);
             (self.here, self.tangent, self.sheet.chart.size) = (spot, tangent, size);
             return Ok(edge.then_some(FoldEnd::Edge));
         }
@@ -315,11 +308,11 @@ impl FoldWalk {
             }
             (way, part) = (sheet.between(here, &spot), 1.0);
         }
-        let (axis, edge, share) = end?;
+        let (across, edge, share) = end?;
         let mut guess = sheet.ahead(here, &way, part * share);
-        *(if axis == 0 { &mut guess.place.value } else { &mut guess.other }) = edge;
+        *(if across == 0 { &mut guess.place.value } else { &mut guess.other }) = edge;
         let n = here.place.x.len();
-        let border: Vec<f64> = (0..n + 3).map(|j| f64::from(u8::from(j == n + 1 + axis))).collect();
+        let border = axis(n + 3, n + 1 + across);
         let (spot, mut rows) = equations.correct(family, sheet, &guess, &border)?;
         sheet.beyond(here, &spot).is_none().then_some(())?;
         (0..n + 3).for_each(|j| rows[(n + 2, j)] = tangent[j]);
@@ -344,15 +337,14 @@ fn tangent(mut rows: DMatrix<f64>, border: &[f64]) -> Option<Vec<f64>> {
     let last = border.len() - 1;
     (0..=last).for_each(|j| rows[(last, j)] = border[j]);
     let way = solution(&rows, &|i| f64::from(u8::from(i == last)));
-    let length = norm(&way);
-    length.is_finite().then(|| way.iter().map(|part| part / length).collect())
+    norm(&way).is_finite().then(|| direction(&way))
 }
 
 /// What there is to know of the cycle at a fold, and its size.
 fn stop(family: &mut dyn Family, sheet: &Sheet, spot: &Spot, phase: &[f64]) -> Result<Option<(Stop, f64)>> {
     family.aside(spot.other);
     let n = spot.place.x.len();
-    let border: Vec<f64> = (0..n + 2).map(|j| f64::from(u8::from(j == 0))).collect();
+    let border = axis(n + 2, 0);
     let Some((solved, _)) = Solved::at(family, &sheet.chart, spot.place.clone(), phase, &border) else {
         return Ok(None);
     };

@@ -7,7 +7,10 @@ use super::{
     newton::{Chart, Place, Solved, correct},
 };
 use crate::{
-    cycles::shooting::{is_odd, norm},
+    cycles::{
+        shooting::is_odd,
+        vector::{complex, imaginary, matrix, norm, real, sum, times, vector},
+    },
     error::Result,
     stability::{Crossing, Linearisation, Triangle},
 };
@@ -105,9 +108,9 @@ impl Hopf {
         let AtRest { rest, scales, low, high } = gear;
         let at = rest(crossing.value)?;
         let n = scales.len();
-        let scaled = |jacobian: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| jacobian[(i, j)] * scales[j] / scales[i]);
+        let scaled = |jacobian: &DMatrix<f64>| matrix(n, &|i, j| jacobian[(i, j)] * scales[j] / scales[i]);
         let jacobian = scaled(&at.jacobian);
-        let equilibrium: Vec<f64> = at.equilibrium.iter().zip(scales).map(|(x, scale)| x / scale).collect();
+        let equilibrium = vector(n, &|i| at.equilibrium[i] / scales[i]);
         let turning = std::f64::consts::TAU * crossing.frequency;
         let mut right = null_vector(&jacobian, Complex::new(0.0, turning));
         // The first state where it takes part.
@@ -124,9 +127,9 @@ impl Hopf {
         let aside = ALONG * (high - low);
         let (before, after) = ((crossing.value - aside).max(*low), (crossing.value + aside).min(*high));
         let (before_it, after_it) = (rest(before)?.jacobian, rest(after)?.jacobian);
-        let change = scaled(&DMatrix::from_fn(n, n, |i, j| after_it[(i, j)] - before_it[(i, j)]));
-        let growth = inner(&left, &times(&change, &right)).re / (after - before);
-        let shape = [right.iter().map(|part| part.re).collect(), right.iter().map(|part| part.im).collect()];
+        let change = scaled(&matrix(n, &|i, j| after_it[(i, j)] - before_it[(i, j)]));
+        let growth = inner(&left, &applied(&change, &right)).re / (after - before);
+        let shape = [real(&right), imaginary(&right)];
         let mut hopf = Self {
             value: crossing.value,
             frequency: crossing.frequency,
@@ -155,7 +158,7 @@ impl Hopf {
     fn swing(&self, amplitude: f64, phase: f64) -> Vec<f64> {
         let (sine, cosine) = phase.sin_cos();
         let part = |i: usize| self.shape[0][i] * cosine - self.shape[1][i] * sine;
-        (0..self.rest.len()).map(|i| self.rest[i] + amplitude * part(i)).collect()
+        vector(self.rest.len(), &|i| self.rest[i] + amplitude * part(i))
     }
 
     /// The largest amplitude of a swing within the pieces of the laws that hold at rest.
@@ -202,24 +205,23 @@ impl Hopf {
         let mut field = Field { family, rest: &self.rest, room };
         let (square_a, square_b) = (field.second(a), field.second(b));
         let mixed = field.bilinear(a, b);
-        let both = sum(&[(1.0, &square_a), (1.0, &square_b)]);
-        let minus: Vec<Complex<f64>> = both.iter().map(|part| Complex::from(-part)).collect();
+        let n = a.len();
+        let minus = complex(n, &|i| Complex::from(-square_a[i] - square_b[i]));
         let mean = Triangle::of(jacobian, 0.0.into(), &minus).solution(0.0);
-        let twice: Vec<Complex<f64>> =
-            (0..a.len()).map(|i| -Complex::new(square_a[i] - square_b[i], 2.0 * mixed[i])).collect();
+        let twice = complex(n, &|i| -Complex::new(square_a[i] - square_b[i], 2.0 * mixed[i]));
         let double = Triangle::of(jacobian, Complex::new(0.0, 2.0 * self.turning()), &twice).solution(0.0);
-        let conjugate: Vec<Complex<f64>> = right.iter().map(Complex::conj).collect();
+        let conjugate = complex(n, &|i| right[i].conj());
         let by_mean = field.complex_bilinear(right, &mean);
         let by_double = field.complex_bilinear(&conjugate, &double);
         // C(q, q, q̄) by third derivatives along a, b, a + b and a − b.
-        let (plus, minus) = (sum(&[(1.0, a), (1.0, b)]), sum(&[(1.0, a), (-1.0, b)]));
+        let (plus, minus) = (sum(a, 1.0, b), sum(a, -1.0, b));
         let [third_a, third_b, plus, minus] = [a, b, &plus, &minus].map(|way| field.third(way));
         let cubic = |i: usize| {
             let real = third_a[i] + (plus[i] + minus[i] - 2.0 * third_a[i]) / 6.0;
             let imaginary = third_b[i] + (plus[i] - minus[i] - 2.0 * third_b[i]) / 6.0;
             Complex::new(real, imaginary)
         };
-        let all: Vec<Complex<f64>> = (0..a.len()).map(|i| cubic(i) + 2.0 * by_mean[i] + by_double[i]).collect();
+        let all = complex(n, &|i| cubic(i) + 2.0 * by_mean[i] + by_double[i]);
         0.5 * inner(left, &all)
     }
 
@@ -230,7 +232,7 @@ impl Hopf {
         let symmetric = norm(&self.rest) < 1e-12 && is_odd(family.flow(), &x);
         let mut amplitude = FIRST.min(0.5 * self.reach);
         for _ in 0..HALVINGS {
-            let way = sum(&[(1.0, &self.swing(amplitude, 0.0)), (-1.0, &self.rest)]);
+            let way = sum(&self.swing(amplitude, 0.0), -1.0, &self.rest);
             let size = norm(&way);
             let sign = if symmetric { -1.0 } else { 1.0 };
             let chart = Chart { sign, size, low, high };
@@ -240,7 +242,7 @@ impl Hopf {
             let shift = -self.lyapunov * amplitude * amplitude / self.growth;
             let value = if shift.abs() < 0.1 * (high - low) { self.value + shift } else { self.value };
             let x = self.swing(amplitude, 0.0);
-            let border: Vec<f64> = way.iter().map(|part| part / size).chain([0.0, 0.0]).collect();
+            let border = vector(way.len() + 2, &|i| way.get(i).map_or(0.0, |part| part / size));
             family.flow().pace(period);
             let place = Place { x, time, value: value.max(low).min(high) };
             if let Some(solved) = correct(family, &chart, &place, &border)
@@ -272,7 +274,7 @@ impl Hopf {
 pub(super) fn null_vector(matrix: &DMatrix<f64>, shift: Complex<f64>) -> Vec<Complex<f64>> {
     let n = matrix.nrows();
     let size = matrix.iter().fold(0.0, |most: f64, entry| most.max(entry.abs()));
-    let mut vector: Vec<Complex<f64>> = (0..n).map(|i| Complex::new(1.0, 0.1 * i as f64)).collect();
+    let mut vector = complex(n, &|i| Complex::new(1.0, 0.1 * i as f64));
     for _ in 0..3 {
         vector = Triangle::of(matrix, shift, &vector).solution(f64::EPSILON * size);
         let length = vector.iter().fold(0.0, |sum: f64, part| sum + part.norm_sqr()).sqrt();
@@ -286,14 +288,9 @@ fn inner(a: &[Complex<f64>], b: &[Complex<f64>]) -> Complex<f64> {
     a.iter().zip(b).fold(Complex::from(0.0), |sum, (a, b)| sum + a.conj() * b)
 }
 
-fn times(matrix: &DMatrix<f64>, vector: &[Complex<f64>]) -> Vec<Complex<f64>> {
+fn applied(matrix: &DMatrix<f64>, vector: &[Complex<f64>]) -> Vec<Complex<f64>> {
     let row = |i: usize| (0..vector.len()).fold(Complex::from(0.0), |sum, j| sum + vector[j] * matrix[(i, j)]);
-    (0..vector.len()).map(row).collect()
-}
-
-fn sum(parts: &[(f64, &Vec<f64>)]) -> Vec<f64> {
-    let entry = |i: usize| parts.iter().fold(0.0, |sum, (factor, part)| sum + factor * part[i]);
-    (0..parts[0].1.len()).map(entry).collect()
+    complex(vector.len(), &row)
 }
 
 /// The equations' right-hand side near rest.
@@ -306,8 +303,7 @@ struct Field<'a> {
 
 impl Field<'_> {
     fn at(&mut self, way: &[f64], part: f64) -> Vec<f64> {
-        let x: Vec<f64> = self.rest.iter().zip(way).map(|(rest, way)| rest + part * way).collect();
-        self.family.flow().rate(&x)
+        self.family.flow().rate(&sum(self.rest, part, way))
     }
 
     /// An even or odd difference over halved steps, extrapolated to none.
@@ -322,7 +318,7 @@ impl Field<'_> {
             let mut row = difference(self, h);
             for (k, before) in table.iter_mut().enumerate() {
                 let weight = 4.0_f64.powi(k as i32 + 1);
-                let better = sum(&[(weight / (weight - 1.0), &row), (-1.0 / (weight - 1.0), before)]);
+                let better = vector(row.len(), &|i| (weight * row[i] - before[i]) / (weight - 1.0));
                 *before = std::mem::replace(&mut row, better);
             }
             table.push(row);
@@ -334,7 +330,7 @@ impl Field<'_> {
     fn second(&mut self, way: &[f64]) -> Vec<f64> {
         self.extrapolated(way, 1.0, &|field, h| {
             let [before, here, after] = [-h, 0.0, h].map(|part| field.at(way, part));
-            (0..way.len()).map(|i| (after[i] + before[i] - 2.0 * here[i]) / (h * h)).collect()
+            vector(way.len(), &|i| (after[i] + before[i] - 2.0 * here[i]) / (h * h))
         })
     }
 
@@ -343,24 +339,20 @@ impl Field<'_> {
         self.extrapolated(way, 2.0, &|field, h| {
             let [far, before, after, ahead] = [-2.0 * h, -h, h, 2.0 * h].map(|part| field.at(way, part));
             let entry = |i: usize| ((ahead[i] - far[i]) - 2.0 * (after[i] - before[i])) / (2.0 * h * h * h);
-            (0..way.len()).map(entry).collect()
+            vector(way.len(), &entry)
         })
     }
 
     /// B(a, b).
     fn bilinear(&mut self, a: &[f64], b: &[f64]) -> Vec<f64> {
-        let ways = [1.0, -1.0].map(|sign| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + sign * b).collect() });
-        let [plus, minus] = ways.map(|way| self.second(&way));
-        sum(&[(0.25, &plus), (-0.25, &minus)])
+        let [plus, minus] = [1.0, -1.0].map(|sign| self.second(&sum(a, sign, b)));
+        times(0.25, &sum(&plus, -1.0, &minus))
     }
 
     /// B(a, b) of complex directions.
     fn complex_bilinear(&mut self, a: &[Complex<f64>], b: &[Complex<f64>]) -> Vec<Complex<f64>> {
-        let parts = |of: &[Complex<f64>]| -> [Vec<f64>; 2] {
-            [of.iter().map(|part| part.re).collect(), of.iter().map(|part| part.im).collect()]
-        };
-        let ([a, ai], [b, bi]) = (parts(a), parts(b));
+        let ([a, ai], [b, bi]) = ([real(a), imaginary(a)], [real(b), imaginary(b)]);
         let [rr, ii, ri, ir] = [(&a, &b), (&ai, &bi), (&a, &bi), (&ai, &b)].map(|(a, b)| self.bilinear(a, b));
-        (0..a.len()).map(|i| Complex::new(rr[i] - ii[i], ri[i] + ir[i])).collect()
+        complex(a.len(), &|i| Complex::new(rr[i] - ii[i], ri[i] + ir[i]))
     }
 }

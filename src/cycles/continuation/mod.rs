@@ -37,7 +37,10 @@ pub use self::{
     special::PointKind,
     walk::{BranchEnd, CyclePoint},
 };
-use super::shooting::{self, Periodic, dot, norm};
+use super::{
+    shooting::{self, Periodic},
+    vector::{axis, dot, norm, sum, vector},
+};
 use crate::{
     error::{Code, Error, Result, shown},
     few::sort_few,
@@ -62,10 +65,9 @@ const SAME_VALUE: f64 = 0.02;
 
 /// Whether a point lies on the straight way between two others, or nearly so.
 fn passes(from: &[f64], to: &[f64], point: &[f64], near: f64) -> bool {
-    let way = |to: &[f64]| -> Vec<f64> { to.iter().zip(from).map(|(to, from)| to - from).collect() };
-    let (step, home) = (way(to), way(point));
+    let (step, home) = (sum(to, -1.0, from), sum(point, -1.0, from));
     let along = dot(&step, &home) / dot(&step, &step);
-    let aside: Vec<f64> = step.iter().zip(&home).map(|(step, home)| home - along * step).collect();
+    let aside = sum(&home, -along, &step);
     (0.0..=1.0).contains(&along) && norm(&aside) < near
 }
 
@@ -292,7 +294,8 @@ impl Bifurcation {
     }
 
     fn scaled(&self, x: &[f64]) -> Vec<f64> {
-        x.iter().zip(self.states()).map(|(x, state)| x / state.scale).collect()
+        let states = self.states();
+        vector(x.len(), &|i| x[i] / states[i].scale)
     }
 
     fn vary(&mut self, value: f64, period: f64) -> bool {
@@ -310,7 +313,7 @@ impl Bifurcation {
                 let line = &self.line;
                 let gear = AtRest {
                     rest: &|value| line.rest(value),
-                    scales: self.states().iter().map(|state| state.scale).collect(),
+                    scales: vector(self.states().len(), &|i| self.states()[i].scale),
                     low: line.from(),
                     high: line.to(),
                 };
@@ -405,7 +408,7 @@ impl Bifurcation {
         let sign = if found.symmetric { -1.0 } else { 1.0 };
         let chart = Chart { sign, size: swing.size, low: self.line.from(), high: self.line.to() };
         let time = if found.symmetric { 0.5 * found.period } else { found.period };
-        let along: Vec<f64> = (0..found.x.len() + 2).map(|j| f64::from(u8::from(j == found.x.len() + 1))).collect();
+        let along = axis(found.x.len() + 2, found.x.len() + 1);
         let place = Place { x: found.x, time, value };
         let limits = self.limits();
         let walk = Walk::at(&mut *self.family, &chart, &place, &along, limits).unwrap_or_default();
@@ -536,7 +539,7 @@ impl Bifurcation {
     fn born(&self, birth: usize) -> CyclePoint {
         let Crossing { value, frequency, .. } = self.births[birth].crossing;
         let place = self.rest.value.iter().position(|other| *other == value).unwrap_or(0);
-        let state: Vec<f64> = self.rest.states.iter().map(|column| column[place]).collect();
+        let state = vector(self.rest.states.len(), &|i| self.rest.states[i][place]);
         let turning = std::f64::consts::TAU * frequency;
         let mut values = self.line.rest(value).and_then(|at| at.eigenvalues()).unwrap_or_default();
         let off = |value: &Complex<f64>| value.re.abs() + (value.im.abs() - turning).abs();
@@ -551,7 +554,7 @@ impl Bifurcation {
             pair.into_iter().chain(values.iter().skip(2).map(around)).take(state.len()).collect();
         sort_few(&mut multipliers[1..], |a, b| a.norm_sqr() > b.norm_sqr());
         let symmetric = state.iter().all(|x| *x == 0.0);
-        let amplitude = state.iter().map(|x| x.abs()).collect();
+        let amplitude = vector(state.len(), &|i| state[i].abs());
         CyclePoint { value, period: 1.0 / frequency, amplitude, state, multipliers, unstable, symmetric }
     }
 }

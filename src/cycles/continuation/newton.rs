@@ -5,8 +5,9 @@ use nalgebra::{Complex, DMatrix};
 use super::family::Family;
 use crate::{
     cycles::{
-        shooting::{multipliers, norm},
+        shooting::multipliers,
         square::Square,
+        vector::{complex, direction, matrix, norm, real, sum, times},
     },
     error::Result,
     stability::Triangle,
@@ -57,7 +58,7 @@ impl Chart {
     pub fn ahead(&self, place: &Place, way: &[f64], part: f64) -> Place {
         let n = place.x.len();
         Place {
-            x: place.x.iter().zip(way).map(|(x, way)| x + self.size * part * way).collect(),
+            x: sum(&place.x, self.size * part, &way[..n]),
             time: place.time * (1.0 + part * way[n]),
             value: place.value + self.width() * part * way[n + 1],
         }
@@ -65,7 +66,7 @@ impl Chart {
 
     /// The way from one place to another.
     pub fn between(&self, from: &Place, to: &Place) -> Vec<f64> {
-        let mut way: Vec<f64> = from.x.iter().zip(&to.x).map(|(from, to)| (to - from) / self.size).collect();
+        let mut way = times(1.0 / self.size, &sum(&to.x, -1.0, &from.x));
         way.push(to.time / from.time - 1.0);
         way.push((to.value - from.value) / self.width());
         way
@@ -77,7 +78,7 @@ impl Chart {
 pub(super) struct Solved {
     pub place: Place,
     /// How its neighbours are carried around, mirrored back where it is half of a symmetric one.
-    matrix: Square,
+    around: Square,
     /// ẋ where it starts.
     leaving: Vec<f64>,
     /// Derivatives of the equations that `border` completes.
@@ -142,13 +143,13 @@ impl Solved {
         let n = place.x.len();
         is_sound(family, &place).then_some(())?;
         let flow = family.flow();
-        let (end, matrix) = flow.carry(&place.x, place.time, true)?;
+        let (end, around) = flow.carry(&place.x, place.time, true)?;
         let (leaving, arriving) = (flow.rate(&place.x), flow.rate(&end));
         let aside = ASIDE * if place.value + ASIDE * chart.width() > chart.high { -1.0 } else { 1.0 };
         family.vary(place.value + aside * chart.width()).then_some(())?;
         let (other, _) = family.flow().carry(&place.x, place.time, false)?;
         let speed = norm(phase);
-        let rows = DMatrix::from_fn(n + 2, n + 2, |i, j| match (i, j) {
+        let rows = matrix(n + 2, &|i, j| match (i, j) {
             _ if i == n + 1 => border[j],
             _ if i == n => {
                 if j < n {
@@ -157,12 +158,12 @@ impl Solved {
                     0.0
                 }
             }
-            _ if j < n => matrix.at(i, j) - if i == j { sign } else { 0.0 },
+            _ if j < n => around.at(i, j) - if i == j { sign } else { 0.0 },
             _ if j == n => arriving[i] * place.time / size,
             _ => (other[i] - end[i]) / (aside * size),
         });
-        let matrix = Square::of(n, &|i, j| sign * matrix.at(i, j));
-        Some((Self { place, matrix, leaving, rows }, end))
+        let around = Square::of(n, &|i, j| sign * around.at(i, j));
+        Some((Self { place, around, leaving, rows }, end))
     }
 
     /// The step that the equations ask for where a motion from x arrives at `end`.
@@ -176,9 +177,7 @@ impl Solved {
         let last = self.rows.nrows() - 1;
         let mut rows = self.rows.clone();
         (0..=last).for_each(|j| rows[(last, j)] = border[j]);
-        let way = solution(&rows, &|i| f64::from(u8::from(i == last)));
-        let length = norm(&way);
-        way.iter().map(|part| part / length).collect()
+        direction(&solution(&rows, &|i| f64::from(u8::from(i == last))))
     }
 
     /// The multipliers of one round, of half a round and its mirror where that is what was asked for: see [`multipliers`].
@@ -186,12 +185,13 @@ impl Solved {
     /// # Errors
     /// A matrix so extreme that its eigenvalues leave the numbers.
     pub fn multipliers(&self) -> Result<(f64, Vec<Complex<f64>>)> {
-        multipliers(&self.matrix, &self.leaving)
+        multipliers(&self.around, &self.leaving)
     }
 }
 
 /// The solution of linear equations.
+#[inline(never)]
 pub(super) fn solution(rows: &DMatrix<f64>, side: &dyn Fn(usize) -> f64) -> Vec<f64> {
-    let side: Vec<Complex<f64>> = (0..rows.nrows()).map(|i| side(i).into()).collect();
-    Triangle::of(rows, 0.0.into(), &side).solution(0.0).iter().map(|part| part.re).collect()
+    let side = complex(rows.nrows(), &|i| side(i).into());
+    real(&Triangle::of(rows, 0.0.into(), &side).solution(0.0))
 }

@@ -3,7 +3,11 @@
 use nalgebra::Complex;
 
 use super::{family::Family, newton::correct, walk::Stop};
-use crate::{cycles::shooting::norm, error::Result, few::sort_few};
+use crate::{
+    cycles::vector::{direction, norm},
+    error::Result,
+    few::sort_few,
+};
 
 /// Most cycles on the way to a special one.
 const MOST: usize = 60;
@@ -118,15 +122,15 @@ pub(super) fn between(
 /// come nearer.
 fn located(family: &mut dyn Family, from: &Stop, to: &Stop, test: Test, tolerance: f64) -> Result<Option<(f64, Stop)>> {
     let chart = &from.chart;
-    let way = chart.between(from.place(), to.place());
+    let way = chart.between(&from.place, &to.place);
     let length = norm(&way);
-    let border: Vec<f64> = way.iter().map(|part| part / length).collect();
+    let border = direction(&way);
     let (mut low, mut high) = ((0.0, test.of(from)), (1.0, test.of(to)));
     let mut best: Option<(f64, Stop)> = None;
     let mut again = None;
     for _ in 0..MOST {
         let part = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
-        let Some(solved) = correct(family, chart, &chart.ahead(from.place(), &way, part), &border) else { break };
+        let Some(solved) = correct(family, chart, &chart.ahead(&from.place, &way, part), &border) else { break };
         let stop = Stop::of(family, chart, solved, &border)?;
         let value = test.of(&stop);
         let moved = best.as_ref().map_or(1.0, |(before, _)| (before - part).abs());

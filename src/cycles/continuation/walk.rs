@@ -11,7 +11,8 @@ use crate::{
     cycles::{
         FINEST, TRIVIAL,
         flow::Swing,
-        shooting::{dot, norm, squared},
+        shooting::squared,
+        vector::{axis, direction, dot, norm, times, vector},
     },
     error::Result,
 };
@@ -90,7 +91,7 @@ pub struct CyclePoint {
 /// A cycle with what is needed to go on from it.
 #[derive(Clone, Debug)]
 pub(super) struct Stop {
-    pub solved: Solved,
+    pub place: Place,
     /// Which way the branch goes on.
     pub tangent: Vec<f64>,
     pub chart: Chart,
@@ -106,7 +107,7 @@ impl Stop {
     /// A motion or a matrix that leaves the numbers.
     pub fn of(family: &mut dyn Family, chart: &Chart, solved: Solved, ahead: &[f64]) -> Result<Self> {
         let (trivial, halves) = solved.multipliers()?;
-        let place = &solved.place;
+        let place = solved.place.clone();
         let symmetric = chart.sign < 0.0;
         let period = place.time * if symmetric { 2.0 } else { 1.0 };
         family.vary(place.value);
@@ -115,13 +116,9 @@ impl Stop {
         let whole = |half: &Complex<f64>| if symmetric { squared(half) } else { *half };
         let multipliers: Vec<_> = [Complex::from(trivial)].iter().chain(&halves).map(whole).collect();
         let unstable = multipliers[1..].iter().filter(|value| value.norm_sqr() > 1.0).count();
-        let tangent = rescaled(solved.tangent(ahead), chart.size / size);
+        let tangent = rescaled(&solved.tangent(ahead), place.x.len(), chart.size / size);
         let point = CyclePoint { value: place.value, period, amplitude, state: rise, multipliers, unstable, symmetric };
-        Ok(Self { solved, tangent, chart: Chart { size, ..*chart }, halves, point })
-    }
-
-    pub fn place(&self) -> &Place {
-        &self.solved.place
+        Ok(Self { place, tangent, chart: Chart { size, ..*chart }, halves, point })
     }
 
     /// Whether it is carried into itself as exactly as it should be.
@@ -131,17 +128,13 @@ impl Stop {
 
     /// The same cycle, from which the branch goes on the other way.
     pub fn turned(&self) -> Self {
-        Self { tangent: self.tangent.iter().map(|part| -part).collect(), ..self.clone() }
+        Self { tangent: times(-1.0, &self.tangent), ..self.clone() }
     }
 }
 
-/// A way of length 1 whose states were measured by a size that is `factor` times the new one.
-fn rescaled(mut way: Vec<f64>, factor: f64) -> Vec<f64> {
-    let n = way.len() - 2;
-    way[..n].iter_mut().for_each(|part| *part *= factor);
-    let length = norm(&way);
-    way.iter_mut().for_each(|part| *part /= length);
-    way
+/// A way, brought to length 1, whose first so many parts were measured by a size that is `factor` times the new one.
+pub(super) fn rescaled(way: &[f64], states: usize, factor: f64) -> Vec<f64> {
+    direction(&vector(way.len(), &|i| if i < states { factor * way[i] } else { way[i] }))
 }
 
 /// A branch on the way.
@@ -215,7 +208,7 @@ impl Walk {
             return Some(BranchEnd::Points);
         }
         let here = self.stops[self.stops.len() - 1].clone();
-        let n = here.place().x.len();
+        let n = here.place.x.len();
         let (swings, along) = (norm(&here.tangent[..=n]), here.tangent[n + 1].abs());
         self.length = self.length.min(LONGEST / swings).min(self.limits.step / along);
         if self.length < SHORTEST {
@@ -251,7 +244,7 @@ impl Walk {
     fn next(&self, family: &mut dyn Family, here: &Stop) -> Result<Option<(Stop, Fit)>> {
         let Stop { tangent, chart, .. } = here;
         let within = |place: &Place| (chart.low..=chart.high).contains(&place.value);
-        let guess = chart.ahead(here.place(), tangent, self.length);
+        let guess = chart.ahead(&here.place, tangent, self.length);
         family.flow().pace(here.point.period / self.fineness);
         let found = if within(&guess) { correct(family, chart, &guess, tangent) } else { None };
         let (solved, guess, edge) = match found {
@@ -259,15 +252,15 @@ impl Walk {
             found => {
                 // Towards the point beyond the end, or along the tangent, as far as the end.
                 let way = match &found {
-                    Some(beyond) => chart.between(here.place(), &beyond.place),
+                    Some(beyond) => chart.between(&here.place, &beyond.place),
                     None if within(&guess) => return Ok(None),
                     None => tangent.clone(),
                 };
                 let along = way[way.len() - 1];
                 let end = if along > 0.0 { chart.high } else { chart.low };
-                let mut guess = chart.ahead(here.place(), &way, (end - here.place().value) / (chart.width() * along));
+                let mut guess = chart.ahead(&here.place, &way, (end - here.place.value) / (chart.width() * along));
                 guess.value = end;
-                let border: Vec<f64> = (0..way.len()).map(|j| f64::from(u8::from(j + 1 == way.len()))).collect();
+                let border = axis(way.len(), way.len() - 1);
                 let Some(mut solved) = correct(family, chart, &guess, &border) else { return Ok(None) };
                 solved.place.value = end;
                 (solved, guess, true)
@@ -277,7 +270,7 @@ impl Walk {
         let n = missed.len() - 2;
         let bend = (norm(&missed[..n]) * chart.size / self.largest).hypot(missed[n + 1]);
         let next = Stop::of(family, chart, solved, tangent)?;
-        let turn = dot(tangent, &rescaled(next.tangent.clone(), next.chart.size / chart.size));
+        let turn = dot(tangent, &rescaled(&next.tangent, n, next.chart.size / chart.size));
         Ok(Some((next, Fit { bend: bend.max(1e-3 * BEND), turn, edge })))
     }
 
