@@ -29,6 +29,8 @@
 //! | freeplay ψ_fp | half of the gap in which the torsion spring does not act |
 //! | kink | where a piecewise law changes its piece; a *switch* finds it, a *mode* says which piece holds |
 //! | limit cycle | a motion that repeats and that its neighbours run to (or from) |
+//! | Hopf point | a parameter's value at which a small swing neither grows nor fades: a limit cycle is born there |
+//! | fold | where a branch of limit cycles turns back: two meet there and vanish |
 //!
 //! # Map
 //! | module | holds |
@@ -40,7 +42,7 @@
 //! | [`live`] | a motion that goes on, takes changes and finds back |
 //! | [`stability`] | linear theory: eigenvalues and modes, Routh–Hurwitz, critical values, maps and boundaries |
 //! | [`energy`] | where a swing's energy comes from and where it goes |
-//! | [`cycles`] | limit cycles and their neighbours |
+//! | [`cycles`] | limit cycles and their neighbours, and how they come and go with a parameter |
 //! | [`outlook`] | what becomes of a motion: one word and its numbers |
 //! | [`spectrum`] | the frequencies that a series is made of |
 //! | [`atlas`] | the figures and tables of the work that this implements |

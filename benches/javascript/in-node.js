@@ -4,6 +4,7 @@ import { readFile } from 'node:fs/promises';
 
 import init, * as shimmy from '../../www/pkg/shimmy.js';
 
+import { branches } from './branches.js';
 import { theCase } from './case.js';
 import { maps } from './maps.js';
 import { ourEntry, warmUp, workAndPrecision } from './ours.js';
@@ -14,6 +15,7 @@ await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.was
 console.log(JSON.stringify({ warmUp: { place, ...warmUp(shimmy, theCase) } }));
 console.log(JSON.stringify(ourEntry(shimmy, theCase, place)));
 for (const map of maps(shimmy, place)) console.log(JSON.stringify({ map }));
+for (const branch of branches(shimmy, place)) console.log(JSON.stringify({ branch }));
 if (!process.argv.includes('--quick')) {
   for (const row of workAndPrecision(shimmy, theCase)) console.log(JSON.stringify({ row }));
 }

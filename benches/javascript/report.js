@@ -105,6 +105,15 @@ export function maps(rows) {
   ])}`;
 }
 
+/** @param {import('./branches.js').Row[]} rows */
+export function branches(rows) {
+  const head = ['branches of limit cycles', 'cycles', 'ms', 'ms a cycle', 'goal'];
+  return `Branches of limit cycles with amplitudes and multipliers, all of one run; the shortest of many.\n${table([
+    head,
+    ...rows.map(({ what, points, milliseconds, goal }) => [what, count(points), number(milliseconds), number(milliseconds / points), goal ?? '']),
+  ])}`;
+}
+
 /** @param {{ place: string, first: number, least: number }[]} all */
 export const warmUps = (all) =>
   all

@@ -6,6 +6,8 @@
 //! across its kinks, and a step ends at each, so nothing jumps there. The derivative over one period has the *Floquet
 //! multipliers* as eigenvalues: one is 1 (along the cycle), the others say whether a neighbour comes nearer.
 //!
+//! Over the range of a parameter cycles form branches ([`Bifurcation`]): born at Hopf points, folding, or there without either.
+//!
 //! *Describing functions* ([`Predicted`]) ask the first harmonic alone: all cycles at once, within some per cent.
 
 mod continuation;

@@ -72,7 +72,7 @@ function helpers(shimmy, random, models) {
   const asked = random.chance(0.5) ? question.asked : spoiled(random, question.asked);
   const what = `${name}(${shown(run)}, ${shown(asked)})`;
   if (ALONE.includes(/** @type {string} */ (name))) judged(what, () => shimmy[/** @type {'spectrum'} */ (/** @type {string} */ (name))](asked));
-  else if (name === /** @type {string} */ ('Job')) judged(what, () => worked(shimmy, asked, random));
+  else if (name === /** @type {string} */ ('Job')) judged(what, () => worked(shimmy, 'parameter' in question.asked ? 'bifurcation' : 'stabilityMap', asked, random));
   else judged(what, () => shimmy[name](run, asked));
   judged('models', () => shimmy.models());
   judged('methods', () => shimmy.methods());
@@ -80,18 +80,19 @@ function helpers(shimmy, random, models) {
 }
 
 /** Functions that take no run. */
-const ALONE = ['spectrum', 'stabilityMap', 'hopfCurve'];
+const ALONE = ['spectrum', 'stabilityMap', 'hopfCurve', 'bifurcation', 'foldCurve'];
 
-/** A job, made in slices, with what it had half-way. @param {Shimmy} shimmy @param {any} asked @param {Random} random */
-function worked(shimmy, asked, random) {
-  const job = new shimmy.Job('stabilityMap', asked);
+/** A job, made in slices, with what it had half-way. @param {Shimmy} shimmy @param {'bifurcation' | 'stabilityMap'} kind @param {any} asked @param {Random} random */
+function worked(shimmy, kind, asked, random) {
+  const job = new shimmy.Job(kind, asked);
   try {
     job.advance(0);
-    const early = /** @type {UnfinishedMap} */ (job.result());
+    const early = /** @type {any} */ (job.result());
     if (random.chance(0.2)) judged('advance', () => job.advance(/** @type {any} */ (garbage(random).value)));
     while (!job.advance(1).done);
-    const late = /** @type {UnfinishedMap} */ (job.result());
-    must('a map has shrunk', early.stable.length <= late.stable.length);
+    const late = /** @type {any} */ (job.result());
+    if (kind === 'bifurcation') must('rest has shrunk', early.equilibria.stable.length <= late.equilibria.stable.length);
+    else must('a map has shrunk', early.stable.length <= late.stable.length);
     return late;
   } finally {
     job.free();
@@ -111,6 +112,16 @@ function plane(random, model, counted) {
   return { ...spec, quantities, tile: random.chance(0.2) ? { column: random.below(10), rows: 1 + random.below(10) } : null };
 }
 
+/** A short diagram over a parameter. @param {Random} random @param {Model} model */
+function diagram(random, model) {
+  const { name, min, max } = random.pick(model.parameters);
+  const parameters = Object.fromEntries(model.parameters.filter(() => random.chance(0.3)).map(({ name, min, max }) => [name, random.between(min, max)]));
+  const state = Object.fromEntries(model.state.map(({ name, scale }) => [name, random.between(-3, 3) * scale]));
+  const cycle = random.chance(0.3) ? { period: random.between(0.005, 0.2), state, value: random.between(min, max) } : null;
+  const to = random.chance(0.9) ? max : random.pick(NUMBERS);
+  return { model: model.name, parameters, parameter: name, from: min, to, cycle, points: 2 + random.below(20), probes: random.below(2) };
+}
+
 /** @type {((random: Random, model: Model) => { name: string, asked: unknown })[]} */
 const QUESTIONS = [
   (random, { state }) => ({ name: 'forces', asked: state.map(({ scale }) => (random.chance(0.8) ? random.between(-3, 3) * scale : random.pick(NUMBERS))) }),
@@ -127,6 +138,12 @@ const QUESTIONS = [
   (random, model) => ({ name: 'stabilityMap', asked: plane(random, model, true) }),
   (random, model) => ({ name: 'Job', asked: plane(random, model, true) }),
   (random, model) => ({ name: 'hopfCurve', asked: plane(random, model, false) }),
+  (random, model) => ({ name: random.pick(['bifurcation', 'bifurcation', 'Job']), asked: diagram(random, model) }),
+  (random, model) => {
+    // Folds of a plane take two diagrams at least, and those of any gear seconds where motions are stiff: one in a few.
+    const { linked, ...spec } = /** @type {any} */ (plane(random, model, false));
+    return random.chance(0.1) ? { name: 'foldCurve', asked: { ...spec, linked, seeds: 1 } } : { name: 'bifurcation', asked: diagram(random, model) };
+  },
   (random) => ({
     name: 'spectrum',
     asked: { values: Float64Array.from({ length: random.below(300) }, () => random.between(-1, 1)), interval: 10 ** random.between(-6, 2) },

@@ -1,5 +1,6 @@
 //! The native side of `npm run bench`: one line of JSON for each measurement.
 
+mod branches;
 mod case;
 mod contest;
 mod maps;
@@ -20,6 +21,9 @@ fn main() {
     println!("{}", contest::enter(&case, place, |tolerance| ours::solve(&case, "auto", tolerance)));
     for map in maps::measured(place) {
         println!("{}", json!({ "map": map }));
+    }
+    for branch in branches::measured(place) {
+        println!("{}", json!({ "branch": branch }));
     }
     #[cfg(feature = "peers")]
     {

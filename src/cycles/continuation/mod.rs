@@ -1,10 +1,10 @@
 //! Bifurcation diagrams: rest and cycles of a gear over the range of a parameter, with the places where they change.
 //!
 //! Rest is looked at value by value, and every crossing of eigenvalues is found ([`crate::stability::Crossing`]). From each
-//! Hopf point the branch of cycles that is born there is followed by pseudo-arclength: shooting ([`newton`]) in the start, the
-//! period and the parameter at once, stable or not, through folds, to where the branch ends ([`BranchEnd`]). Cycles that no
-//! such branch has are looked for by simulation, and followed both ways. A special point is a change of sign of a test
-//! between two cycles, located there ([`special`]).
+//! Hopf point the branch of cycles that is born there is followed by pseudo-arclength: shooting in the start, the period and
+//! the parameter at once, stable or not, through folds, to where the branch ends ([`BranchEnd`]). Cycles that no such branch
+//! has are looked for by simulation, and followed both ways. A special point is a change of sign of a test between two cycles,
+//! located there. Two parameters have curves of folds ([`FoldCurve`]).
 
 mod family;
 mod fold;
@@ -136,6 +136,24 @@ struct Birth {
 }
 
 /// A bifurcation diagram, as far as it has been made.
+///
+/// # Limits
+/// Rest is the state that Newton's method finds from 0, whatever else the gear may rest at; other branches that begin at a
+/// branch point or a period doubling are not followed. A branch that no Hopf point of the range begins, and no start of a
+/// simulation at one of the values looked at leads to, is missed.
+///
+/// # Example
+/// ```
+/// use shimmy::{Run, cycles::{BifurcationSpec, PointKind}, stability::Variation};
+///
+/// // A wheel that leads its axis, on a tire whose aligning moment goes on growing: it shakes before rest is unstable.
+/// let gear = Run::of("torsional")?.with("casterLength", -0.06)?.with("aligningMomentLimitAngle", 40_f64.to_radians())?;
+/// let diagram = BifurcationSpec::of(gear, Variation::of("velocity", 10.0, 120.0)).made()?;
+/// let at = |kind| diagram.points().iter().filter(|point| point.kind == kind).map(|point| point.value).fold(120.0, f64::min);
+/// assert!((at(PointKind::Hopf) - 53.402).abs() < 1e-3); // m/s
+/// assert!((at(PointKind::Fold) - 36.225).abs() < 1e-3);
+/// # Ok::<(), shimmy::Error>(())
+/// ```
 pub struct Bifurcation {
     spec: BifurcationSpec,
     line: Rc<Line>,
