@@ -51,28 +51,13 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
     }
 
     /// As [`OddPolynomial::fit`], with an error of at most `tolerance`.
-    #[inline(never)]
     pub fn fit_within(range: f64, tolerance: f64, function: &dyn Fn(f64) -> f64) -> Self {
-        let to_unit = 1.0 / range;
-        if !(range > 0.0 && range.is_finite() && to_unit.is_finite()) {
-            return Self::none();
+        let mut coefficients = [0.0; TERMS];
+        if fitted(range, tolerance, function, &mut coefficients) {
+            Self { coefficients, to_unit: 1.0 / range, range }
+        } else {
+            Self::none()
         }
-        // cos(π m/2·NODES): taken from one turn, as large arguments would lose digits.
-        let cosines: [f64; 4 * NODES] = std::array::from_fn(|m| (PI * m as f64 / (2 * NODES) as f64).cos());
-        let cosine = |m: usize| cosines[m % (4 * NODES)];
-        let values: [f64; NODES] = std::array::from_fn(|node| {
-            let s = (0.5 * (cosine(2 * node + 1) + 1.0)).sqrt();
-            function(s * range) / s
-        });
-        let chebyshev: [f64; NODES] = std::array::from_fn(|order| {
-            let sum: f64 = (0..NODES).map(|node| values[node] * cosine(order * (2 * node + 1))).sum();
-            sum * if order == 0 { 1.0 } else { 2.0 } / NODES as f64
-        });
-        // A series that converges falls from term to term: the first few cut off stand for all. (Rounding leaves about
-        // ε/2 in each.)
-        let cut_off: f64 = chebyshev[TERMS..TERMS + 4].iter().map(|c| c.abs()).sum();
-        let proven = cut_off <= tolerance;
-        if proven { Self { coefficients: to_powers(&chebyshev), to_unit, range } } else { Self::none() }
     }
 
     /// The fitted function at `x`; `function` is called where the polynomial does not reach.
@@ -102,18 +87,39 @@ impl<const TERMS: usize> OddPolynomial<TERMS> {
     }
 }
 
-/// Coefficients of the Chebyshev polynomials T(2u − 1) (the first `TERMS` of them) to powers of u.
-fn to_powers<const TERMS: usize>(chebyshev: &[f64; NODES]) -> [f64; TERMS] {
-    let mut powers = [0.0; TERMS];
-    let mut before = [0.0; TERMS];
-    let mut current = [0.0; TERMS];
-    before[0] = 1.0;
-    current[0] = -1.0;
-    if TERMS > 1 {
-        current[1] = 2.0;
+/// Fits as many coefficients as there is room for; false where the error is larger than allowed.
+#[inline(never)]
+fn fitted(range: f64, tolerance: f64, function: &dyn Fn(f64) -> f64, coefficients: &mut [f64]) -> bool {
+    if !(range > 0.0 && range.is_finite() && (1.0 / range).is_finite()) {
+        return false;
     }
-    for order in 0..TERMS {
-        for i in 0..TERMS {
+    // cos(π m/2·NODES): taken from one turn, as large arguments would lose digits.
+    let cosines: [f64; 4 * NODES] = std::array::from_fn(|m| (PI * m as f64 / (2 * NODES) as f64).cos());
+    let cosine = |m: usize| cosines[m % (4 * NODES)];
+    let values: [f64; NODES] = std::array::from_fn(|node| {
+        let s = (0.5 * (cosine(2 * node + 1) + 1.0)).sqrt();
+        function(s * range) / s
+    });
+    let chebyshev: [f64; NODES] = std::array::from_fn(|order| {
+        let sum: f64 = (0..NODES).map(|node| values[node] * cosine(order * (2 * node + 1))).sum();
+        sum * if order == 0 { 1.0 } else { 2.0 } / NODES as f64
+    });
+    // A series that converges falls from term to term: the first few cut off stand for all. (Rounding leaves about ε/2 in
+    // each.)
+    let terms = coefficients.len();
+    let cut_off: f64 = chebyshev[terms..terms + 4].iter().map(|c| c.abs()).sum();
+    to_powers(&chebyshev, coefficients);
+    cut_off <= tolerance
+}
+
+/// Coefficients of the Chebyshev polynomials T(2u − 1) (as many as there is room for) to powers of u.
+fn to_powers(chebyshev: &[f64; NODES], powers: &mut [f64]) {
+    let terms = powers.len();
+    let [mut before, mut current] = [[0.0; NODES]; 2];
+    before[0] = 1.0;
+    (current[0], current[1]) = (-1.0, 2.0);
+    for order in 0..terms {
+        for i in 0..terms {
             powers[i] += chebyshev[order] * before[i];
         }
         let next = std::array::from_fn(|i| {
@@ -123,7 +129,6 @@ fn to_powers<const TERMS: usize>(chebyshev: &[f64; NODES]) -> [f64; TERMS] {
         before = current;
         current = next;
     }
-    powers
 }
 
 /// Estrin's scheme for up to 12 terms: pairs, then pairs of pairs, so that the multiplications do not wait for each

@@ -44,8 +44,7 @@ impl BasinsSpec {
     pub fn begin(self) -> Basins {
         let Self { field, refined } = self;
         let cells = Cells::new([field.tile.columns, field.tile.rows], field.is_of_starts(), refined);
-        let followers = Followers::new(field.run.clone(), field.duration);
-        Basins { followers, plane: Plane { field, cells } }
+        Basins { followers: Followers::new(), plane: Plane { field, cells } }
     }
 
     /// The basins.
@@ -75,6 +74,10 @@ struct Plane {
 }
 
 impl Errand for Plane {
+    fn field(&self) -> &Field {
+        &self.field
+    }
+
     fn next(&mut self) -> Option<Start> {
         let place = self.cells.next()?;
         let (values, x) = self.field.at(&self.field.centre(place));

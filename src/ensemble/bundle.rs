@@ -57,27 +57,28 @@ impl Bundle {
         self.x = x;
     }
 
-    /// Goes on by so many steps, and measures how far each state goes: the largest |·|, where it turns.
+    /// Goes on by so many steps, and measures how far each state goes: the largest |·| where steps end, of the first state
+    /// where it turns.
     #[inline(never)]
     pub fn measure(&mut self, steps: usize) -> [Lanes; 3] {
+        let mut before = self.x[0];
+        self.advance(1);
         let weights = [0.5, 1.0 / 3.0, 1.0 / 6.0].map(Lanes::all);
         let eighth = Lanes::all(0.125);
-        let (gears, mut before) = (self.gears, self.x);
-        let mut x = step(&gears, &before, weights);
-        let mut reach = [Lanes::all(0.0); 3];
+        let (gears, mut x) = (self.gears, self.x);
+        let [mut turn, mut first, mut second] = [Lanes::all(0.0); 3];
         for _ in 1..steps {
             let next = step(&gears, &x, weights);
-            for i in 0..3 {
-                // The vertex of the parabola through three states. Where the middle one is not the farthest, the clamped
-                // one is none, but not farther out either.
-                let (rise, fall) = (x[i] - before[i], x[i] - next[i]);
-                let bend = rise + fall;
-                let lean = (rise - fall).clamped(bend.abs());
-                reach[i] = reach[i].or_larger((x[i] + lean * lean / bend * eighth).abs());
-            }
-            (before, x) = (x, next);
+            // The vertex of the parabola through three states. Where the middle one is not the farthest, the clamped one is
+            // none, but not farther out either.
+            let (rise, fall) = (x[0] - before, x[0] - next[0]);
+            let bend = rise + fall;
+            let lean = (rise - fall).clamped(bend.abs());
+            turn = turn.or_larger((x[0] + lean * lean / bend * eighth).abs());
+            (first, second) = (first.or_larger(x[1].abs()), second.or_larger(x[2].abs()));
+            (before, x) = (x[0], next);
         }
         self.x = x;
-        reach
+        [turn, first, second]
     }
 }

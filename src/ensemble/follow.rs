@@ -1,7 +1,10 @@
 //! Motions from their starts to their ends.
 
+use std::{cell::RefCell, rc::Rc};
+
 use super::{
     bundle::Bundle,
+    field::Field,
     judge::{Judge, LOST, NOISE, NOISE_OF_GAP, Verdict},
     lanes::LANES,
 };
@@ -68,6 +71,8 @@ pub(super) struct Settled {
 
 /// Who sends motions on their way, and is told of their ends.
 pub(super) trait Errand {
+    /// The model, and how long each motion has to settle.
+    fn field(&self) -> &Field;
     /// The next one, if there is any now.
     fn next(&mut self) -> Option<Start>;
     /// The motion of this place has ended.
@@ -75,20 +80,22 @@ pub(super) trait Errand {
 }
 
 /// A gear made ready, and what is known of it.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Ready {
     values: Vec<f64>,
     prepared: Prepared,
     /// Cycles that it has, and what they live on.
-    known: Vec<(f64, Fate)>,
+    known: RefCell<Vec<(f64, Fate)>>,
 }
 
 /// A motion in a lane.
 #[derive(Clone, Debug)]
 struct Motion {
     place: usize,
-    ready: Ready,
+    ready: Rc<Ready>,
     judge: Judge,
+    /// How many it has in all, and how many are left.
+    stretches: usize,
     left: usize,
     /// The cycle that it has come to, while it is tried without the gap.
     cycle: Option<Settled>,
@@ -97,18 +104,16 @@ struct Motion {
 /// Motions on their way.
 #[derive(Clone, Debug)]
 pub(super) struct Followers {
-    run: Run,
     bundle: Bundle,
     motions: [Option<Motion>; LANES],
     /// The gear that came last: of a plane of starts it is the same for all.
-    ready: Option<Ready>,
-    time: f64,
+    ready: Option<Rc<Ready>>,
 }
 
 impl Followers {
-    /// Follows motions of the run's model, each for at most `time` s.
-    pub fn new(run: Run, time: f64) -> Self {
-        Self { run, bundle: Bundle::at_rest(), motions: [const { None }; LANES], ready: None, time }
+    /// Without any yet.
+    pub fn new() -> Self {
+        Self { bundle: Bundle::at_rest(), motions: [const { None }; LANES], ready: None }
     }
 
     /// Takes motions while there is room, and follows all for a stretch. False where there was none.
@@ -119,10 +124,11 @@ impl Followers {
         for lane in 0..LANES {
             while self.motions[lane].is_none() {
                 let Some(start) = errand.next() else { break };
-                match self.ready(&start.values) {
-                    Some(ready) => self.set_off(lane, start, ready),
+                let field = errand.field();
+                match self.ready(&field.run, &start.values) {
+                    Some(ready) => self.set_off(lane, start, ready, field.duration),
                     None => {
-                        let settled = alone(&self.run.placed(&start.values, &start.x, self.time))?;
+                        let settled = alone(&field.run.placed(&start.values, &start.x, field.duration))?;
                         errand.settled(start.place, settled);
                         return Ok(true); // it took its time
                     }
@@ -145,26 +151,21 @@ impl Followers {
     }
 
     /// The gear of these parameters, if lanes can take it.
-    fn ready(&mut self, values: &[f64]) -> Option<Ready> {
-        if let Some(ready) = self.ready.as_ref().filter(|ready| ready.values == values) {
-            return Some(ready.clone());
+    fn ready(&mut self, run: &Run, values: &[f64]) -> Option<Rc<Ready>> {
+        if !self.ready.as_ref().is_some_and(|ready| ready.values == values) {
+            let prepared = (run.description().prepared)(values)?;
+            self.ready = Some(Rc::new(Ready { values: values.to_vec(), prepared, known: RefCell::default() }));
         }
-        let prepared = (self.run.description().prepared)(values)?;
-        self.ready = Some(Ready { values: values.to_vec(), prepared, known: Vec::new() });
         self.ready.clone()
     }
 
-    fn set_off(&mut self, lane: usize, start: Start, ready: Ready) {
+    fn set_off(&mut self, lane: usize, start: Start, ready: Rc<Ready>, time: f64) {
         let Prepared { step, gear, gapless, small } = &ready.prepared;
         let noise = if gapless.is_some() { NOISE_OF_GAP } else { NOISE };
         self.bundle.load(lane, gear, [start.x[0], start.x[1] * step, start.x[2]]);
-        let (judge, left) = (Judge::new(*small, noise), self.stretches(*step));
-        self.motions[lane] = Some(Motion { place: start.place, judge, left, ready, cycle: None });
-    }
-
-    /// Stretches in the time that a motion has.
-    fn stretches(&self, step: f64) -> usize {
-        (self.time / (step * (AHEAD + MEASURED) as f64)).ceil() as usize
+        let judge = Judge::new(*small, noise);
+        let stretches = (time / (step * (AHEAD + MEASURED) as f64)).ceil() as usize;
+        self.motions[lane] = Some(Motion { place: start.place, judge, stretches, left: stretches, ready, cycle: None });
     }
 
     /// The state in a lane, in the units of the model.
@@ -185,9 +186,7 @@ impl Followers {
                 _ => Fate::Shimmy,
             };
             let settled = motion.cycle.take().map(|cycle| Settled { fate, ..cycle })?;
-            if let Some(ready) = self.ready.as_mut().filter(|ready| ready.values == motion.ready.values) {
-                ready.known.push((settled.amplitude[0], fate));
-            }
+            motion.ready.known.borrow_mut().push((settled.amplitude[0], fate));
             return Some(settled);
         }
         let x = self.state(lane, step);
@@ -204,19 +203,17 @@ impl Followers {
             }
             Some(Verdict::Repeats(amplitude)) if amplitude > TRUSTED => of(Fate::Divergence, amplitude),
             Some(Verdict::Repeats(amplitude)) => {
-                let known = self.ready.as_ref().filter(|ready| ready.values == motion.ready.values);
-                let known = known.and_then(|ready| {
-                    ready.known.iter().find(|(other, _)| (other - amplitude).abs() < SAME * amplitude)
-                });
+                let is_same = |(other, _): &&(f64, Fate)| (other - amplitude).abs() < SAME * amplitude;
+                let known = motion.ready.known.borrow().iter().find(is_same).copied();
                 match (&motion.ready.prepared.gapless, known) {
                     (None, _) => of(Fate::Shimmy, amplitude),
-                    (_, Some((_, fate))) => of(*fate, amplitude),
+                    (_, Some((_, fate))) => of(fate, amplitude),
                     (Some(gapless), None) => {
                         motion.cycle = of(Fate::Shimmy, amplitude);
                         let now = self.bundle.state(lane);
                         self.bundle.load(lane, gapless, now);
                         motion.judge = Judge::new(motion.ready.prepared.small, NOISE);
-                        motion.left = self.stretches(step);
+                        motion.left = motion.stretches;
                         None
                     }
                 }

@@ -66,12 +66,11 @@ impl SweepSpec {
     pub fn begin(self) -> Sweep {
         let Self { field, measure } = self;
         let (length, rows) = (field.axes[0].count, field.tile.rows);
-        let ways = [const { Way { kind: Vec::new(), amplitude: Vec::new() } }; 2];
-        let ways = ways.map(|_| Way { kind: vec![UNKNOWN; length * rows], amplitude: vec![0.0; length * rows] });
-        let chains = (0..rows).map(|_| Chain { at: 0, x: field.run.initial().to_vec() }).collect();
-        let followers = Followers::new(field.run.clone(), field.duration);
+        let way = Way { kind: vec![UNKNOWN; length * rows], amplitude: vec![0.0; length * rows] };
+        let chains = vec![Chain { at: 0, x: field.run.initial().to_vec() }; rows];
+        let ways = [way.clone(), way];
         let waiting = (0..rows).collect();
-        Sweep { followers, rows: Rows { field, measure, chains, waiting, ways, made: 0 } }
+        Sweep { followers: Followers::new(), rows: Rows { field, measure, chains, waiting, ways, made: 0 } }
     }
 
     /// The sweep.
@@ -140,6 +139,10 @@ impl Rows {
 }
 
 impl Errand for Rows {
+    fn field(&self) -> &Field {
+        &self.field
+    }
+
     fn next(&mut self) -> Option<Start> {
         let row = self.waiting.pop_front()?;
         let (_, cell) = self.place(self.chains[row].at);

@@ -2,8 +2,8 @@
 
 use wasm_bindgen::prelude::*;
 
-use super::{input, of_run, output, record::list};
-use crate::cycles::{BifurcationSpec, FoldSpec, Guess};
+use super::{input, job, of_run, output, record::list};
+use crate::cycles::Guess;
 
 /// The limit cycle near the guess, or the one that the run's motion settles on; from rest, one that a larger and larger
 /// push leads to.
@@ -29,13 +29,11 @@ pub fn describing_function(#[wasm_bindgen(unchecked_param_type = "Run")] run: Js
 pub fn bifurcation(
     #[wasm_bindgen(unchecked_param_type = "BifurcationSpec")] spec: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let made = input::value(&spec, "bifurcation").and_then(|value| BifurcationSpec::read(&value)?.made());
-    made.map(|made| output::bifurcation(&made)).map_err(output::error)
+    job::whole("bifurcation", &spec)
 }
 
 /// The curves in a plane of two parameters at which two limit cycles meet and vanish.
 #[wasm_bindgen(js_name = foldCurve, unchecked_return_type = "FoldCurve[]")]
 pub fn fold_curve(#[wasm_bindgen(unchecked_param_type = "FoldSpec")] plane: JsValue) -> Result<JsValue, JsValue> {
-    let made = input::value(&plane, "plane").and_then(|value| FoldSpec::read(&value)?.made());
-    made.map(|made| list(made.curves(), output::fold_curve)).map_err(output::error)
+    job::whole("foldCurve", &plane)
 }

@@ -2,19 +2,16 @@
 
 use wasm_bindgen::prelude::*;
 
-use super::{input, output};
-use crate::ensemble::{BasinsSpec, SweepSpec};
+use super::job;
 
 /// In which motion each cell of a plane ends.
 #[wasm_bindgen(unchecked_return_type = "Basins")]
-pub fn basins(#[wasm_bindgen(unchecked_param_type = "BasinsSpec")] basins: JsValue) -> Result<JsValue, JsValue> {
-    let made = input::value(&basins, "basins").and_then(|value| BasinsSpec::read(&value)?.made());
-    made.map(|basins| output::basins(&basins)).map_err(output::error)
+pub fn basins(#[wasm_bindgen(unchecked_param_type = "BasinsSpec")] spec: JsValue) -> Result<JsValue, JsValue> {
+    job::whole("basins", &spec)
 }
 
 /// One motion carried on as a parameter goes there and back.
 #[wasm_bindgen(unchecked_return_type = "Sweep")]
-pub fn sweep(#[wasm_bindgen(unchecked_param_type = "SweepSpec")] sweep: JsValue) -> Result<JsValue, JsValue> {
-    let made = input::value(&sweep, "sweep").and_then(|value| SweepSpec::read(&value)?.made());
-    made.map(|sweep| output::sweep(&sweep)).map_err(output::error)
+pub fn sweep(#[wasm_bindgen(unchecked_param_type = "SweepSpec")] spec: JsValue) -> Result<JsValue, JsValue> {
+    job::whole("sweep", &spec)
 }

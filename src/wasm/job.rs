@@ -77,6 +77,27 @@ const KINDS: [Kind; 5] = [
     Kind { name: "sweep", spec: "sweep", begin: |spec| Ok(Box::new(SweepSpec::read(spec)?.begin())) },
 ];
 
+/// The work of a kind before it begins.
+#[inline(never)]
+fn begun(kind: &str, spec: &JsValue) -> Result<Box<dyn Work>> {
+    let Some(known) = KINDS.iter().find(|known| known.name == kind) else {
+        return Err(Error::unknown(Code::UnknownName, "kind", kind, &KINDS.map(|known| known.name)));
+    };
+    (known.begin)(&input::value(spec, known.spec)?)
+}
+
+/// The work of a kind, done.
+pub(super) fn whole(kind: &str, spec: &JsValue) -> std::result::Result<JsValue, JsValue> {
+    let done = || {
+        let mut work = begun(kind, spec)?;
+        while !work.done() {
+            work.advance()?;
+        }
+        work.result()
+    };
+    done().map_err(output::error)
+}
+
 /// Work that is done bit by bit.
 #[wasm_bindgen]
 pub struct Job(RefCell<Box<dyn Work>>);
@@ -89,14 +110,8 @@ impl Job {
         #[wasm_bindgen(unchecked_param_type = "keyof Jobs")] kind: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Jobs[keyof Jobs]['spec']")] spec: JsValue,
     ) -> std::result::Result<Job, JsValue> {
-        let begin = || {
-            let kind = input::text(&kind, "kind")?;
-            let Some(known) = KINDS.iter().find(|known| known.name == kind) else {
-                return Err(Error::unknown(Code::UnknownName, "kind", &kind, &KINDS.map(|known| known.name)));
-            };
-            Ok(Self(RefCell::new((known.begin)(&input::value(&spec, known.spec)?)?)))
-        };
-        begin().map_err(output::error)
+        let begun = input::text(&kind, "kind").and_then(|kind| begun(&kind, &spec));
+        begun.map(|work| Self(RefCell::new(work))).map_err(output::error)
     }
 
     /// Works on for about so many milliseconds, and tells how much is done.

@@ -2,14 +2,13 @@
 
 use wasm_bindgen::prelude::*;
 
-use super::{input, output, record::list};
-use crate::stability::{CurveSpec, MapSpec};
+use super::{input, job, output, record::list};
+use crate::stability::CurveSpec;
 
 /// Stability over a plane of two parameters, cell by cell.
 #[wasm_bindgen(js_name = stabilityMap, unchecked_return_type = "StabilityMap")]
 pub fn stability_map(#[wasm_bindgen(unchecked_param_type = "MapSpec")] map: JsValue) -> Result<JsValue, JsValue> {
-    let map = input::value(&map, "map").and_then(|value| MapSpec::read(&value)?.made());
-    map.and_then(|map| output::stability_map(&map)).map_err(output::error)
+    job::whole("stabilityMap", &map)
 }
 
 /// The curves in a plane of two parameters at which eigenvalues cross the imaginary axis.
