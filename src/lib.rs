@@ -44,6 +44,8 @@
 //! | [`energy`] | where a swing's energy comes from and where it goes |
 //! | [`cycles`] | limit cycles and their neighbours, and how they come and go with a parameter |
 //! | [`outlook`] | what becomes of a motion: one word and its numbers |
+//! | [`ensemble`] | many motions at once: basins and sweeps |
+//! | [`section`] | where a motion passes a section: Poincaré's map |
 //! | [`spectrum`] | the frequencies that a series is made of |
 //! | [`atlas`] | the figures and tables of the work that this implements |
 //! | [`parameter`], [`error`], [`real`] | tables, refusals, numbers |
@@ -76,6 +78,7 @@ pub mod outlook;
 pub mod parameter;
 pub mod real;
 pub mod run;
+pub mod section;
 pub mod spectrum;
 pub mod stability;
 

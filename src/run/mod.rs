@@ -22,6 +22,7 @@ use crate::{
     model::{self, Description},
     outlook::{HORIZON, Outlook},
     parameter::Parameter,
+    section::{Section, SectionSpec},
 };
 
 /// Most samples, and most times, of one trajectory.
@@ -262,6 +263,14 @@ impl Run {
     /// As [`Run::simulate`]; a model without force laws.
     pub fn energy(&self) -> Result<Option<Energy>> {
         self.problem().energy()
+    }
+
+    /// Where the motion passes a section of the state space, within its duration.
+    ///
+    /// # Errors
+    /// As [`Run::simulate`]; more than 10⁶ passages.
+    pub fn section(&self, section: &SectionSpec) -> Result<Section> {
+        self.problem().section(section)
     }
 
     /// The limit cycle near the guess; where there is no guess, or no cycle near it, the one that the motion settles on.

@@ -9,6 +9,7 @@ use crate::{
     live::{Motion, Simulator},
     model::{Gear, Model, Tables},
     outlook::{self, Outlook},
+    section::{self, Section, SectionSpec},
     stability::eigenvalues,
 };
 
@@ -34,6 +35,11 @@ pub trait Problem {
     /// # Errors
     /// As [`Run::energy`].
     fn energy(&self) -> Result<Option<Energy>>;
+    /// Where the motion passes a section.
+    ///
+    /// # Errors
+    /// As [`Run::section`].
+    fn section(&self, section: &SectionSpec) -> Result<Section>;
     /// The limit cycle.
     ///
     /// # Errors
@@ -117,6 +123,10 @@ impl<S: Gear<N>, const N: usize> Problem for Posed<S, N> {
 
     fn energy(&self) -> Result<Option<Energy>> {
         energy::of(self)
+    }
+
+    fn section(&self, section: &SectionSpec) -> Result<Section> {
+        section::of(self, section)
     }
 
     fn limit_cycle(&self, guess: Option<&Guess>) -> Result<Option<LimitCycle>> {

@@ -18,6 +18,7 @@ use crate::{
     },
     outlook::Outlook,
     parameter::StateVariable,
+    section::Section,
     spectrum::Spectrum,
     stability::{
         Crossing, Eigenmode, EnergyFlow, HopfCurve, KINDS, RouthArray, RouthHurwitz, StabilityMap, UnstableInterval,
@@ -413,4 +414,9 @@ pub(super) fn sweep(sweep: &Sweep) -> JsValue {
         .record("down", way(sweep.down()))
         .names("kinds", &ensemble::KINDS)
         .done()
+}
+
+pub(super) fn section(states: &[StateVariable], section: &Section) -> JsValue {
+    let record = columns_of(states, &section.time, &section.states);
+    record.series("amplitude", &section.amplitude).done()
 }

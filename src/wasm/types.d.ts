@@ -380,6 +380,22 @@ export interface Sweep {
   down: SweepWay;
   kinds: MotionKind[];
 }
+/** A section of the states: where one of them passes a level. */
+export interface SectionSpec {
+  /** the first */
+  state?: string | null;
+  /** in the state's unit; 0 */
+  level?: number | null;
+  /** true; false: where it falls */
+  rising?: boolean | null;
+  /** s before which passages do not count; 0 */
+  after?: number | null;
+}
+/** The passages of a motion through a section: times and states. Poincaré's map takes each to the next. */
+export interface Section extends Columns {
+  /** how far the section's state goes from its level between a passage and the next: one less than passages. The return map of amplitudes takes each to the next */
+  amplitude: Float64Array;
+}
 /** The jobs by kind: what each is given, what it has on the way, what it gives in the end. */
 export interface Jobs {
   stabilityMap: { spec: MapSpec; part: UnfinishedMap; result: StabilityMap };

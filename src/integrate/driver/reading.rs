@@ -50,11 +50,17 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
 
     /// The time at which `component` rises through 0 within the last step.
     pub fn rise_through_zero(&mut self, component: usize) -> Option<f64> {
-        if !(self.from_x[component] < 0.0 && self.x[component] >= 0.0) {
+        self.passes(component, 0.0, true)
+    }
+
+    /// The time at which `component` passes a level within the last step, rising or falling.
+    pub fn passes(&mut self, component: usize, level: f64, rising: bool) -> Option<f64> {
+        let below = |value: f64| if rising { level - value } else { value - level };
+        if !(below(self.from_x[component]) > 0.0 && below(self.x[component]) <= 0.0) {
             return None;
         }
         self.prepare_dense();
-        let below = |theta: f64| -self.dense.at(theta)[component];
+        let below = |theta: f64| below(self.dense.at(theta)[component]);
         Some(self.from_t + bracketed(0.0, 1.0, &below) * self.length)
     }
 
