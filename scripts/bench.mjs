@@ -87,6 +87,7 @@ function main() {
   console.log(`\n${report.goals(entries)}`);
   console.log(`\n${report.maps(lines.filter((line) => line.map).map((line) => line.map))}`);
   console.log(`\n${report.branches(lines.filter((line) => line.branch).map((line) => line.branch))}`);
+  console.log(`\n${report.ensembles(lines.filter((line) => line.ensemble).map((line) => line.ensemble))}`);
   const rows = lines.filter((line) => line.row).map((line) => line.row);
   if (rows.length) console.log(`\n${report.workAndPrecision(rows)}`);
   console.log(`\n${report.warmUps(lines.filter((line) => line.warmUp).map((line) => line.warmUp))}`);

@@ -6,16 +6,19 @@ import init, * as shimmy from '../../www/pkg/shimmy.js';
 
 import { branches } from './branches.js';
 import { theCase } from './case.js';
+import { ensembles } from './ensembles.js';
 import { maps } from './maps.js';
 import { ourEntry, warmUp, workAndPrecision } from './ours.js';
 
 const place = `Node ${process.versions.node}`;
 
-await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
+const module = await WebAssembly.compile(await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)));
+await init({ module_or_path: module });
 console.log(JSON.stringify({ warmUp: { place, ...warmUp(shimmy, theCase) } }));
 console.log(JSON.stringify(ourEntry(shimmy, theCase, place)));
 for (const map of maps(shimmy, place)) console.log(JSON.stringify({ map }));
 for (const branch of branches(shimmy, place)) console.log(JSON.stringify({ branch }));
+for (const ensemble of await ensembles(shimmy, place, module)) console.log(JSON.stringify({ ensemble }));
 if (!process.argv.includes('--quick')) {
   for (const row of workAndPrecision(shimmy, theCase)) console.log(JSON.stringify({ row }));
 }

@@ -114,6 +114,14 @@ export function branches(rows) {
   ])}`;
 }
 
+/** @param {import('./ensembles.js').Row[]} rows */
+export function ensembles(rows) {
+  const head = ['ensembles', 'two-second trajectories a second', 'goal'];
+  return `The torsional gear at its critical speed, the classical method with steps of a hundredth of a swing; the shortest of many.\n${table([
+    head, ...rows.map(({ what, perSecond, goal }) => [what, count(Math.round(perSecond)), goal ?? '']),
+  ])}`;
+}
+
 /** @param {{ place: string, first: number, least: number }[]} all */
 export const warmUps = (all) =>
   all

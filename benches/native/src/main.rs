@@ -3,6 +3,7 @@
 mod branches;
 mod case;
 mod contest;
+mod ensembles;
 mod maps;
 mod ours;
 #[cfg(feature = "peers")]
@@ -24,6 +25,9 @@ fn main() {
     }
     for branch in branches::measured(place) {
         println!("{}", json!({ "branch": branch }));
+    }
+    for ensemble in ensembles::measured(place) {
+        println!("{}", json!({ "ensemble": ensemble }));
     }
     #[cfg(feature = "peers")]
     {
