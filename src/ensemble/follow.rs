@@ -6,7 +6,7 @@ use super::{
     bundle::Bundle,
     field::Field,
     judge::{Judge, LOST, NOISE, NOISE_OF_GAP, Verdict},
-    lanes::LANES,
+    lanes::{LANES, Lanes},
 };
 use crate::{
     Code, Run,
@@ -139,12 +139,14 @@ impl Followers {
             return Ok(false);
         }
         self.bundle.advance(AHEAD);
-        let reach = self.bundle.measure(MEASURED);
-        for lane in 0..LANES {
-            let Some(mut motion) = self.motions[lane].take() else { continue };
-            match self.judged(lane, &mut motion, reach.map(|reach| reach.each()[lane])) {
-                Some(settled) => errand.settled(motion.place, settled),
-                None => self.motions[lane] = Some(motion),
+        let reach = self.bundle.measure(MEASURED).map(Lanes::each);
+        for (lane, motion) in self.motions.iter_mut().enumerate() {
+            let of_lane = |each: &[f64; LANES]| each[lane];
+            let Some(going) = motion else { continue };
+            let reach = [of_lane(&reach[0]), of_lane(&reach[1]), of_lane(&reach[2])];
+            if let Some(settled) = going.judged(&mut self.bundle, lane, reach) {
+                errand.settled(going.place, settled);
+                *motion = None;
             }
         }
         Ok(true)
@@ -167,60 +169,53 @@ impl Followers {
         let stretches = (time / (step * (AHEAD + MEASURED) as f64)).ceil() as usize;
         self.motions[lane] = Some(Motion { place: start.place, judge, stretches, left: stretches, ready, cycle: None });
     }
+}
 
-    /// The state in a lane, in the units of the model.
-    fn state(&self, lane: usize, step: f64) -> [f64; 3] {
-        let [psi, change, y] = self.bundle.state(lane);
-        [psi, change / step, y]
-    }
-
-    /// The end of a motion after a stretch with these amplitudes, or nothing where it goes on.
-    fn judged(&mut self, lane: usize, motion: &mut Motion, reach: [f64; 3]) -> Option<Settled> {
-        let step = motion.ready.prepared.step;
-        let verdict = motion.judge.hear(if reach.iter().all(|reach| reach.is_finite()) { reach[0] } else { f64::NAN });
-        motion.left = motion.left.saturating_sub(1);
-        if motion.cycle.is_some() {
+impl Motion {
+    /// The end of the motion in this lane after a stretch with these amplitudes, or nothing where it goes on.
+    fn judged(&mut self, bundle: &mut Bundle, lane: usize, reach: [f64; 3]) -> Option<Settled> {
+        let Prepared { step, gapless, small, .. } = &self.ready.prepared;
+        let verdict = self.judge.hear(if reach.iter().all(|reach| reach.is_finite()) { reach[0] } else { f64::NAN });
+        self.left = self.left.saturating_sub(1);
+        if self.cycle.is_some() {
             let fate = match verdict {
                 Some(Verdict::Rests) => Fate::Rattle,
-                None if motion.left > 0 => return None,
+                None if self.left > 0 => return None,
                 _ => Fate::Shimmy,
             };
-            let settled = motion.cycle.take().map(|cycle| Settled { fate, ..cycle })?;
-            motion.ready.known.borrow_mut().push((settled.amplitude[0], fate));
-            return Some(settled);
+            let cycle = self.cycle.take()?;
+            self.ready.known.borrow_mut().push((cycle.amplitude[0], fate));
+            return Some(Settled { fate, ..cycle });
         }
-        let x = self.state(lane, step);
-        let of = |fate, amplitude: f64| {
-            // The first state's amplitude is known better than the others', which go with it.
-            let scale = if reach[0] > 0.0 { amplitude / reach[0] } else { 0.0 };
-            let amplitude = vec![amplitude, reach[1] / step * scale, reach[2] * scale];
-            Some(Settled { fate, amplitude, x: x.to_vec() })
+        let (fate, amplitude) = match verdict {
+            Some(Verdict::Rests) => (Fate::Rest, 0.0),
+            Some(Verdict::Diverges) => (Fate::Divergence, f64::INFINITY),
+            Some(Verdict::Repeats(amplitude)) if amplitude > TRUSTED => (Fate::Divergence, amplitude),
+            Some(Verdict::Repeats(amplitude)) => (Fate::Shimmy, amplitude),
+            None if self.left > 0 => return None,
+            None => (Fate::Unsettled, self.judge.last()),
         };
-        match verdict {
-            Some(Verdict::Rests) => of(Fate::Rest, 0.0),
-            Some(Verdict::Diverges) => {
-                Some(Settled { fate: Fate::Divergence, amplitude: vec![f64::INFINITY; 3], x: x.to_vec() })
-            }
-            Some(Verdict::Repeats(amplitude)) if amplitude > TRUSTED => of(Fate::Divergence, amplitude),
-            Some(Verdict::Repeats(amplitude)) => {
-                let is_same = |(other, _): &&(f64, Fate)| (other - amplitude).abs() < SAME * amplitude;
-                let known = motion.ready.known.borrow().iter().find(is_same).copied();
-                match (&motion.ready.prepared.gapless, known) {
-                    (None, _) => of(Fate::Shimmy, amplitude),
-                    (_, Some((_, fate))) => of(fate, amplitude),
-                    (Some(gapless), None) => {
-                        motion.cycle = of(Fate::Shimmy, amplitude);
-                        let now = self.bundle.state(lane);
-                        self.bundle.load(lane, gapless, now);
-                        motion.judge = Judge::new(motion.ready.prepared.small, NOISE);
-                        motion.left = motion.stretches;
-                        None
-                    }
+        // The first state's amplitude is known better than the others', which go with it.
+        let scale = if amplitude > 0.0 { amplitude / reach[0] } else { 0.0 };
+        let others =
+            [reach[1] / step, reach[2]].map(|reach| if amplitude.is_finite() { reach * scale } else { amplitude });
+        let [psi, change, y] = bundle.state(lane);
+        let mut settled =
+            Settled { fate, amplitude: vec![amplitude, others[0], others[1]], x: vec![psi, change / step, y] };
+        if let (Fate::Shimmy, Some(gapless)) = (fate, gapless) {
+            let known = self.ready.known.borrow();
+            match known.iter().find(|(other, _)| (other - amplitude).abs() < SAME * amplitude) {
+                Some((_, known)) => settled.fate = *known,
+                None => {
+                    bundle.load(lane, gapless, [psi, change, y]);
+                    self.judge = Judge::new(*small, NOISE);
+                    self.left = self.stretches;
+                    self.cycle = Some(settled);
+                    return None;
                 }
             }
-            None if motion.left > 0 => None,
-            None => of(Fate::Unsettled, motion.judge.last()),
         }
+        Some(settled)
     }
 }
 

@@ -30,6 +30,8 @@ pub(super) struct Cells {
     stride: usize,
     known: Vec<Known>,
     wanted: VecDeque<usize>,
+    /// How many are wanted, or on their way.
+    open: usize,
     /// [`Fate`] by cell, [`UNKNOWN`] where it is not known yet.
     pub kind: Vec<u8>,
     /// Of the first state; 0 where it is not known yet.
@@ -52,6 +54,7 @@ impl Cells {
             stride,
             known: vec![Known::Nothing; count],
             wanted: VecDeque::new(),
+            open: 0,
             kind: vec![UNKNOWN; count],
             amplitude: vec![0.0; count],
             followed: 0,
@@ -75,6 +78,7 @@ impl Cells {
     pub fn note(&mut self, cell: usize, fate: Fate, amplitude: f64) {
         self.known[cell] = Known::Followed;
         self.followed += 1;
+        self.open -= 1;
         self.put(cell, fate as u8, amplitude);
         if self.stride == 1 {
             self.trace(cell);
@@ -143,7 +147,7 @@ impl Cells {
 
     /// Nothing is left to make.
     pub fn done(&self) -> bool {
-        self.made == self.kind.len() && self.stride == 1 && !self.known.contains(&Known::Wanted)
+        self.made == self.kind.len() && self.stride == 1 && self.open == 0
     }
 
     /// Columns, or rows, that are a stride apart, with the last one.
@@ -157,6 +161,7 @@ impl Cells {
         if matches!(self.known[cell], Known::Nothing | Known::Filled) {
             self.known[cell] = Known::Wanted;
             self.wanted.push_back(cell);
+            self.open += 1;
         }
     }
 

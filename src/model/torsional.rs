@@ -238,7 +238,10 @@ impl Model<3> for Torsional {
     }
 
     fn prepared(values: &[f64]) -> Option<Prepared> {
-        Prepared::of(&Self::new(values))
+        // Elements beside the table's parameters are not in the lanes' equations.
+        let alone =
+            values.get(PARAMETERS.len()..).is_none_or(|elements| elements.iter().all(|element| *element == 0.0));
+        alone.then(|| Prepared::of(&Self::new(values)))?
     }
 
     fn linear_theory<T: Ring>(values: &[T]) -> Option<TorsionalTheory<T>> {
