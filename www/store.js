@@ -107,10 +107,14 @@ export class Store {
     this.#become({ ...this.state, ...change }, null);
   }
 
-  /** Something was done to the run that is no change of the state, and is a step of undo. @param {Place} place where it was before */
-  did(place) {
-    this.#remember(this.state, { place });
-    this.settle();
+  /**
+   * Something was done to the run that is no change of the state, and is a step of undo; all of one gesture is one.
+   * @param {Place} place where it was before
+   * @param {string | null} [gesture]
+   */
+  did(place, gesture = null) {
+    if (gesture === null || gesture !== this.#gesture) this.#remember(this.state, { place });
+    this.#gesture = gesture;
     this.#become({ ...this.state }, null);
   }
 

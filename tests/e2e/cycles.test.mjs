@@ -119,6 +119,45 @@ test('from either side of an unstable cycle it goes another way', async () => {
   await leave();
 });
 
+test('over the gap the gear is dragged as a point, and moved by keys', async () => {
+  const { page, leave } = await site.open('#shimmy=2&velocity=50&dampingConstant=100&freeplayAngle=0.017453292519943295&initial.torsionAngle=0.05&lens=cycles&view.cycles=freeplay');
+  const point = page.getByRole('slider', { name: 'The gear in the plane' });
+  await page.waitForFunction(() => /±1\.2\d°/.test(document.querySelector('.gap-map .plane-point')?.getAttribute('aria-valuetext') ?? ''), null, { timeout: 15_000 });
+  await point.focus();
+  await page.keyboard.press('ArrowUp');
+  await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.querySelector('shimmy-dock [data-name="freeplayAngle"] .number')).value !== '1.00');
+  const box = await point.boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + 22, box.y + 22);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 140, box.y + 22, { steps: 5 });
+  await page.mouse.up();
+  await untilVerdict(page, 'It dies out');
+  assert.ok(Number(await knob(page, 'velocity').number.inputValue()) > 70);
+  await page.keyboard.press('Control+z');
+  assert.equal(await knob(page, 'velocity').number.inputValue(), '50.0');
+  await leave();
+});
+
+test('over its basins the start is dragged from one ending to another', async () => {
+  const folded = '#shimmy=2&velocity=42&dampingConstant=10&casterLength=-0.05&sideForceLimitAngle=0.05235987755982988&aligningMomentLimitAngle=0.3490658503988659&initial.torsionAngle=0.3&lens=cycles&view.cycles=basins';
+  const { page, leave } = await site.open(folded);
+  await untilSaid(page, '.endings', /dies out.*shimmies, ±17/s);
+  await untilVerdict(page, 'It shimmies');
+  const box = await page.locator('.basins-plane canvas').boundingBox();
+  const point = await page.getByRole('slider', { name: 'Where the run starts' }).boundingBox();
+  assert.ok(box && point);
+  await page.mouse.move(point.x + 22, point.y + 22);
+  await page.mouse.down();
+  // The middle of the frame, left of which are the numbers.
+  await page.mouse.move(box.x + box.width * 0.55, box.y + box.height * 0.5, { steps: 6 });
+  await page.mouse.up();
+  await untilVerdict(page, 'It dies out');
+  await page.keyboard.press('Control+z');
+  await untilVerdict(page, 'It shimmies');
+  await leave();
+});
+
 test('three methods side by side for the gear and over the speed, and the table as a file', async () => {
   const { page, leave } = await opened('&view.cycles=methods');
   await page.waitForFunction(() => document.querySelectorAll('.methods .figures-table tbody tr:not(.old)').length >= 11);

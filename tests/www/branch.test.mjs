@@ -1,14 +1,12 @@
 // Branches of cycles: how they are asked for, met by a hand, walked along, and drawn.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { mock, test } from 'node:test';
 import { Quantity } from '../../www/controls/quantity.js';
-import { BranchWork } from '../../www/lens/cycles/branch-work.js';
+import { BesideWork } from '../../www/lens/cycles/beside-work.js';
 import { along, cycleAt, heightsOf, highest, nearest, slopeOfSmall, turnsOf } from '../../www/lens/cycles/branches.js';
 import { branchOf, readBranch, writeBranch } from '../../www/lens/cycles/settings.js';
-import { settledAt, stopsOf } from '../../www/lens/cycles/simulated-sweep.js';
 import { readLink } from '../../www/link/read.js';
-import { cycleLooks } from '../../www/run/cycle-looks.js';
 import { drawBifurcation } from '../../www/view/bifurcation.js';
 import { voiceOf } from '../../www/words/voice.js';
 import { opened, table } from './opened-session.mjs';
@@ -38,10 +36,10 @@ test('a diagram is readable text; without one it is over the speed', () => {
 test('one diagram is worked on at a time, then the newest that was asked for; the old one stays and is told to be old', async () => {
   /** @type {{ key: string, done: (diagram: any) => void, fail: (reason: any) => void, signal: AbortSignal }[]} */
   const jobs = [];
-  const work = new BranchWork((/** @type {any} */ spec, { signal }) => new Promise((done, fail) => {
+  const work = /** @type {BesideWork<any, any>} */ (new BesideWork((spec, { signal }) => new Promise((done, fail) => {
     jobs.push({ key: spec.key, done, fail, signal });
     signal.addEventListener('abort', () => fail(signal.reason));
-  }));
+  })));
   let changes = 0;
   work.onChange = () => { changes++; };
   const look = (/** @type {string} */ key, shape = 'v') => work.look({ key, shape, spec: /** @type {any} */ ({ key }) });
@@ -52,15 +50,15 @@ test('one diagram is worked on at a time, then the newest that was asked for; th
   assert.deepEqual(jobs.map(({ key }) => key), ['a']);
   jobs[0].done('diagram a');
   await settle();
-  assert.deepEqual([work.diagram, work.isOld, changes, jobs.map(({ key }) => key)], ['diagram a', true, 1, ['a', 'c']]);
+  assert.deepEqual([work.result, work.isOld, changes, jobs.map(({ key }) => key)], ['diagram a', true, 1, ['a', 'c']]);
   jobs[1].done('diagram c');
   await settle();
-  assert.deepEqual([work.diagram, work.isOld], ['diagram c', false]);
+  assert.deepEqual([work.result, work.isOld], ['diagram c', false]);
   look('d');
-  assert.deepEqual([work.diagram, work.isOld], ['diagram c', true]);
+  assert.deepEqual([work.result, work.isOld], ['diagram c', true]);
   jobs[2].fail(new Error('not finite'));
   await settle();
-  assert.deepEqual([work.diagram, work.isFailed], [null, true]);
+  assert.deepEqual([work.result, work.isFailed], [null, true]);
   look('e');
   look('f', 'c');
   await settle();
@@ -96,19 +94,31 @@ test('small cycles grow in proportion to the gap: 1.28 times half of it at v = 5
   assert.equal(slopeOfSmall(speeds), null);
 });
 
-test('a simulated sweep goes on from where it settled, and lies on the stable branch', () => {
-  const cycles = cycleLooks(engine, { model: 'torsional', parameters: { dampingConstant: 20 } }, () => ({}));
-  const stops = stopsOf({ from: 20, to: 40 }, 5);
-  assert.deepEqual(stops.map(({ value, way }) => `${value} ${way}`), ['20 up', '25 up', '30 up', '35 up', '40 up', '40 down', '35 down', '30 down', '25 down', '20 down']);
-  /** @type {import('../../www/lens/cycles/simulated-sweep.js').Settled | null} */
-  let settled = null;
-  const amplitudes = stops.map((stop) => {
-    settled = settledAt(cycles, 'velocity', stop, settled);
-    return settled.amplitude.torsionAngle ?? 0;
-  });
-  near(amplitudes[4], (18.057 * Math.PI) / 180, 1e-5);
-  amplitudes.forEach((amplitude, i) => near(amplitude, amplitudes[9 - i], 1e-6));
-  assert.deepEqual([amplitudes[0], amplitudes[1]], [0, 0]);
+test('slow work is given up for something newer, waits for the gear to stand still, and shows what it has so far', async () => {
+  mock.timers.enable({ apis: ['setTimeout'] });
+  /** @type {{ key: string, done: (result: any) => void, part: (part: any) => void, signal: AbortSignal }[]} */
+  const jobs = [];
+  const work = /** @type {BesideWork<any, any>} */ (new BesideWork((spec, { signal, onPart }) => new Promise((done, fail) => {
+    jobs.push({ key: spec.key, done, signal, part: (part) => onPart?.(part) });
+    signal.addEventListener('abort', () => fail(signal.reason));
+  }), { isSlow: true }));
+  const settle = async () => { for (let i = 0; i < 20; i++) await Promise.resolve(); };
+  const look = (/** @type {string} */ key) => work.look({ key, shape: 's', spec: { key } });
+  look('a');
+  jobs[0].part('half of a');
+  assert.deepEqual([work.result, work.isOld], ['half of a', false]);
+  look('b');
+  look('c');
+  await settle();
+  assert.deepEqual([jobs[0].signal.aborted, jobs.length, work.result, work.isOld, work.isGoing], [true, 1, 'half of a', true, true]);
+  mock.timers.tick(250);
+  await settle();
+  assert.deepEqual(jobs.map(({ key }) => key), ['a', 'c']);
+  jobs[1].part('half of c');
+  jobs[1].done('c');
+  await settle();
+  assert.deepEqual([work.result, work.isOld, work.isGoing], ['c', false, false]);
+  mock.timers.reset();
 });
 
 /** @param {Partial<import('../../www/view/bifurcation.js').Shown>} [others] */
@@ -181,4 +191,7 @@ test('the gear is put on a cycle, which one undo takes back with its value and i
   session.setMotion({}, Object.fromEntries(Object.entries(state).map(([name, value]) => [name, 0.5 * value])));
   assert.equal(store.state.parameters.velocity, branch.velocity[at]);
   assert.ok(session.outlook.present.amplitude < 0.7 * branch.amplitude[at]);
+  store.undo();
+  session.refresh();
+  near(session.outlook.present.amplitude, branch.amplitude[at], 1e-4);
 });

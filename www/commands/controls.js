@@ -20,11 +20,11 @@ export function controlCommands(app) {
     },
     /**
      * Puts the gear on a motion that a lens knows: a cycle, or beside one.
-     * @param {{ values: Record<string, number>, state: Record<string, number> }} motion in SI
+     * @param {{ values: Record<string, number>, state: Record<string, number>, gesture?: string | null }} motion in SI; a gesture goes on until `settle`
      */
-    motion: ({ values, state }) => {
-      app.session?.setMotion(values, state);
-      app.settled();
+    motion: ({ values, state, gesture = null }) => {
+      app.session?.setMotion(values, state, gesture);
+      if (gesture === null) app.settled();
     },
     /** @param {import('../controls/unit.js').VelocityUnit} velocityUnit */
     velocityUnit: (velocityUnit) => app.store.update({ velocityUnit }),

@@ -54,6 +54,7 @@ const cyclePanels = {
   ],
   methods: [{ name: 'three-methods', element: '#lens-panel .methods-plot shimmy-canvas', title: titled('cycles.view.methods') }],
   tables: [],
+  basins: [{ name: 'basins', element: '#lens-panel .basins-plane shimmy-canvas', title: titled('cycles.view.basins') }],
   freeplay: [
     { name: 'swings', element: '#lens-panel .gap-map shimmy-canvas', title: titled('gap.title') },
     { name: 'bifurcation', element: '#lens-panel .gap-branch', title: titled('cycles.view.freeplay') },

@@ -5,6 +5,7 @@
  * scene; controls tell it what a hand does.
  */
 
+import { isSameRecord } from '../store.js';
 import { spanFor } from './fit.js';
 import { Ghosts } from './ghosts.js';
 import { followed, linksBrokenBy, linksBrokenByPoint, withFollowers } from './links.js';
@@ -217,21 +218,23 @@ export class Session {
    * Puts the run on another motion: values of the gear and a state, which undo takes back together.
    * @param {Record<string, number>} values in SI; what would follow them is parted from them
    * @param {Record<string, number>} state
+   * @param {string | null} [gesture] what is undone together
    */
-  setMotion(values, state) {
+  setMotion(values, state, gesture = null) {
     const place = this.#place;
     try {
       this.#recover();
-      this.#live.apply({ ...(Object.keys(values).length > 0 && { set: values }), state });
+      this.#live.apply({ ...(Object.keys(values).length > 0 && { set: values }), state }, gesture);
     } catch {
       // Whoever asks has values and state from the engine.
       return;
     }
-    this.#live.settle();
     this.#lookout.isStale = true;
-    const links = linksBrokenByPoint(values, this.#store.state.links);
-    this.#store.update({ parameters: { ...this.#live.parameters }, links }, null, place);
-    this.settle();
+    const { state: before } = this.#store;
+    const change = { parameters: { ...this.#live.parameters }, links: linksBrokenByPoint(values, before.links) };
+    if (isSameRecord(change.parameters, before.parameters) && isSameRecord(change.links, before.links)) this.#store.did(place, gesture);
+    else this.#store.update(change, gesture, place);
+    if (gesture === null) this.settle();
   }
 
   /**

@@ -10,21 +10,18 @@ import { quantities as shown, valueOf } from '../../view/quantities.js';
 import { roundLimit } from '../../view/scale.js';
 import { parameterOption } from '../stability/option.js';
 import { plainSymbol, rangeInWords } from '../stability/say.js';
+import { BesideWork } from './beside-work.js';
 import { along, cycleAt, heights, heightsOf, highest, nearest, slopeOfSmall, turnsOf } from './branches.js';
-import { BranchWork } from './branch-work.js';
 import { OrbitPicture } from './orbit-picture.js';
-import { RowsPanel } from './rows-panel.js';
+import { CyclePanel } from './panel.js';
 import { amplitudeOf, digitsOf, kindOf, multiplierInWords, multipliersOf } from './say.js';
 import { branchOf, writeBranch } from './settings.js';
-import { settledAt, stopsOf } from './simulated-sweep.js';
 
 /**
  * @typedef {import('../../run/scene.js').Scene} Scene
  * @typedef {import('../../words/voice.js').Voice} Voice
  * @typedef {import('../../words/voice.js').Key} Key
  * @typedef {import('./branches.js').Place} Place
- * @typedef {import('./simulated-sweep.js').Stop} Stop
- * @typedef {import('./simulated-sweep.js').Settled} Settled
  */
 
 /** A press that moves no further than this is a click, in px; and so near to a branch it must be. */
@@ -40,12 +37,14 @@ const filled = 0.3;
 /**
  * The bifurcation diagram: branches of cycles over a value of the gear, which rides on it. A click on a branch puts the gear on
  * that cycle; from there it can be started just inside or just outside. Commands: `view` with what varies, `motion` with a cycle.
- * @extends {RowsPanel<Stop, Settled>}
  */
-export class Branch extends RowsPanel {
-  static properties = { ...RowsPanel.properties, heard: { state: true } };
+export class Branch extends CyclePanel {
+  static properties = { ...CyclePanel.properties, heard: { state: true } };
 
-  #work = new BranchWork((spec, options) => runJob('bifurcation', spec, options));
+  /** @type {BesideWork<import('../../pkg/shimmy.js').BifurcationSpec, import('../../pkg/shimmy.js').Bifurcation>} */
+  #work = new BesideWork((spec, options) => runJob('bifurcation', spec, options));
+  /** @type {BesideWork<import('../../pkg/shimmy.js').SweepSpec, import('../../pkg/shimmy.js').Sweep>} */
+  #sweep = new BesideWork((spec, options) => runJob('sweep', spec, options));
   #picture = new OrbitPicture();
   /** Where a hand can meet the branches, as they were drawn last. @type {import('../../view/bifurcation.js').Places | null} */ #places = null;
   /** Where keys have walked to. @type {Place | null} */ #cursor = null;
@@ -59,10 +58,12 @@ export class Branch extends RowsPanel {
       this.#cursor = null;
       this.requestUpdate();
     };
+    this.#sweep.onChange = () => this.requestUpdate();
   }
 
   disconnectedCallback() {
     this.#work.stop();
+    this.#sweep.stop();
     super.disconnectedCallback();
   }
 
@@ -82,23 +83,15 @@ export class Branch extends RowsPanel {
     return JSON.stringify([scene?.object, range, others]);
   }
 
-  wanted() {
-    if (!this.#isSweeping) return null;
-    const { range } = this.#branch;
-    return { key: this.#others, shape: JSON.stringify([this.scene?.object, range]), specs: stopsOf(range, stops) };
-  }
-
-  /** @param {Stop} stop @param {Settled | null} before */
-  answer(stop, before) {
-    return this.askCycles((cycles) => settledAt(cycles, this.#branch.range.parameter, stop, before));
-  }
-
   /** @param {Scene} scene @param {import('../../style/theme.js').Theme} theme */
   draw(scene, theme) {
     super.draw(scene, theme);
     if (!this.isVeiled) {
-      const { range } = this.#branch;
-      this.#work.look({ key: this.#others, shape: JSON.stringify([scene.object, range]), spec: { model: scene.object, parameters: { ...scene.parameters }, ...range } });
+      const { range, height } = this.#branch;
+      const shape = JSON.stringify([scene.object, range]);
+      const gear = { model: scene.object, parameters: { ...scene.parameters } };
+      this.#work.look({ key: this.#others, shape, spec: { ...gear, ...range } });
+      if (this.#isSweeping && height !== 'frequency') this.#sweep.look({ key: this.#others + height, shape: shape + height, spec: { ...gear, over: { ...range, count: stops }, measure: height } });
     }
     this.#picture.hold(scene, this.isVeiled ? null : this.cycle);
     for (const canvas of this.querySelectorAll('.branch-plane shimmy-canvas, .branch-orbit')) /** @type {import('../../view/canvas.js').Canvas} */ (canvas).redraw();
@@ -170,7 +163,7 @@ export class Branch extends RowsPanel {
     const { range } = this.#branch;
     const across = rangeInWords(quantity, range, voice);
     if (this.isVeiled) return voice.say('branch.name.veiled', { across });
-    const { diagram } = this.#work;
+    const { result: diagram } = this.#work;
     const points = diagram ? this.#pointsOf(diagram, voice).map(({ text }) => text).join('; ') : '';
     return voice.say('branch.name', { across, count: diagram?.cycles.length ?? 0, points: points || voice.say('branch.points.none') });
   }
@@ -194,7 +187,7 @@ export class Branch extends RowsPanel {
     const { range, height } = this.#branch;
     const quantity = this.quantity(range.parameter);
     if (!voice || !theme || !scene || !quantity) return;
-    const { diagram, isOld, isFailed } = this.#work;
+    const { result: diagram, isOld, isFailed } = this.#work;
     const cycle = isVeiled ? null : this.cycle;
     const up = cycle && (height === 'frequency' ? cycle.frequency : cycle.amplitude[height]);
     const motion = !isVeiled && height === 'torsionAngle' ? scene.outlook.present.amplitude : null;
@@ -207,12 +200,20 @@ export class Branch extends RowsPanel {
       rest: diagram && { across: diagram.equilibria[diagram.parameter], up: (diagram.equilibria.state[height] ?? new Float64Array(diagram.equilibria.stable.length)).map(Math.abs), stable: diagram.equilibria.stable, turns: turnsOf(diagram, null) },
       points: diagram ? this.#pointsOf(diagram, voice) : [],
       law: slope === null ? null : { slope, text: voice.say('branch.law', { slope: voice.number(slope, 2) }) },
-      sweep: this.#isSweeping ? this.items.flatMap(({ spec, answer, isOld: isPast }) => (answer && !isPast ? [{ ...spec, up: (height === 'frequency' ? answer.frequency : answer.amplitude[height]) ?? 0 }] : [])) : [],
+      sweep: this.#stops(height),
       now: { value: scene.parameters[range.parameter], motion, cycle: cycle && up ? { up, stable: cycle.stable ?? true } : null },
       cursor, isOld: isOld && diagram !== null, veiled: isVeiled,
       message: isVeiled ? '' : isFailed ? voice.say('stability.none') : diagram === null ? voice.say('branch.computing') : diagram.cycles.length === 0 && !isOld ? voice.say('branch.none') : '',
     }, theme, voice);
   };
+
+  /** Where the simulated sweep has settled, on its way up and down. @param {import('./branches.js').Height} height */
+  #stops(height) {
+    const { result, isOld } = this.#sweep;
+    if (!this.#isSweeping || !result || isOld || height === 'frequency') return [];
+    return /** @type {const} */ (['up', 'down']).flatMap((way) => Array.from(result.value, (value, i) => ({ value, way, up: result[way].amplitude[i] }))
+      .filter(({ up }, i) => result[way].kind[i] < result.kinds.length && Number.isFinite(up)));
+  }
 
   /** @param {number} most @param {import('./branches.js').Height} height @param {object} scales */
   #hold(most, height, scales) {
@@ -247,7 +248,7 @@ export class Branch extends RowsPanel {
   #released(event) {
     const press = this.#press;
     this.#press = null;
-    const { diagram } = this.#work;
+    const { result: diagram } = this.#work;
     if (!press || !diagram || !this.#places || this.isVeiled || Math.hypot(event.clientX - press.x, event.clientY - press.y) > widestClick) return;
     const { left, top } = /** @type {HTMLElement} */ (event.currentTarget).getBoundingClientRect();
     const place = nearest(diagram, this.#branch.height, this.#places, { x: event.clientX - left, y: event.clientY - top });
@@ -256,7 +257,7 @@ export class Branch extends RowsPanel {
 
   /** Puts the gear on the cycle at a place. @param {Place} place */
   #go({ branch, index }) {
-    const { diagram } = this.#work;
+    const { result: diagram } = this.#work;
     if (!diagram) return;
     const on = diagram.cycles[branch];
     const guess = cycleAt(on, index);
@@ -266,7 +267,7 @@ export class Branch extends RowsPanel {
 
   /** Arrow keys walk along a branch or to another one, Enter goes there. @param {KeyboardEvent} event */
   #key(event) {
-    const { diagram } = this.#work;
+    const { result: diagram } = this.#work;
     const [by, to] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key] ?? [0, 0];
     const isGoing = event.key === 'Enter' && this.#cursor !== null;
     if (!diagram || this.isVeiled || diagram.cycles.length === 0 || !(by || to || isGoing)) return;

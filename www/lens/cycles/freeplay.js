@@ -12,8 +12,8 @@ import { drawSwingMap, placesOfSwingMap } from '../../view/swing-map.js';
 import { decimalsFor } from '../../words/number.js';
 import { parameterOption } from '../stability/option.js';
 import { lowerName, plainSymbol, rangeInWords } from '../stability/say.js';
+import { BesideWork } from './beside-work.js';
 import { heightsOf, highest, slopeOfSmall, turnsOf } from './branches.js';
-import { BranchWork } from './branch-work.js';
 import { CyclePanel } from './panel.js';
 import { PlaneHand } from './plane-hand.js';
 import { gapParameter, gapRanges } from './settings.js';
@@ -37,7 +37,8 @@ export class Freeplay extends CyclePanel {
   static properties = { ...CyclePanel.properties, spoken: { state: true } };
 
   #plane = new SwingPlane((spec, options) => runJob('bifurcation', spec, options));
-  #work = new BranchWork((spec, options) => runJob('bifurcation', spec, options));
+  /** @type {BesideWork<import('../../pkg/shimmy.js').BifurcationSpec, import('../../pkg/shimmy.js').Bifurcation>} */
+  #work = new BesideWork((spec, options) => runJob('bifurcation', spec, options));
   #image = document.createElement('canvas');
   /** What the image was made from. @type {unknown[]} */ #imageOf = [];
   /** @type {Pick<import('../../view/map-sheet.js').MapSheet, 'lines' | 'numbers'> | null} */ #sheet = null;
@@ -204,7 +205,7 @@ export class Freeplay extends CyclePanel {
   #paintBranch = (context, size) => {
     const { voice, theme, scene, isVeiled } = this;
     const sides = this.#sides;
-    const { diagram, isOld, isFailed } = this.#work;
+    const { result: diagram, isOld, isFailed } = this.#work;
     if (!voice || !theme || !scene || !sides || isVeiled) return;
     const slope = diagram && slopeOfSmall(diagram);
     const most = diagram ? highest(diagram, 'torsionAngle') : 0;

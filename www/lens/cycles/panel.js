@@ -1,3 +1,4 @@
+import { tell } from '../../command.js';
 import { Panel } from '../stability/panel.js';
 
 /**
@@ -17,6 +18,11 @@ export class CyclePanel extends Panel {
   get cycle() {
     const cycle = this.watch?.cycle;
     return cycle?.found ? cycle : null;
+  }
+
+  /** A setting of the lens. @param {string} of @param {string} shows */
+  choose(of, shows) {
+    tell(this, 'view', { of, shows });
   }
 
   /** What the engine answers; null where the values are so wild that no number comes of them. @template Answer @param {(cycles: import('../../run/cycle-looks.js').CycleLooks) => Answer} question */

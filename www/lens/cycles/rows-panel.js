@@ -1,4 +1,3 @@
-import { tell } from '../../command.js';
 import { sorted } from '../stability/figures-table.js';
 import { CyclePanel } from './panel.js';
 import { Rows } from './rows.js';
@@ -84,11 +83,6 @@ export class RowsPanel extends CyclePanel {
     if (!this.theme) return;
     this.said = '';
     this.said = await takeTable(format, { ...taken, rows: sorted(taken.rows, taken.columns, sorting), link: address() }, this.theme, voice);
-  }
-
-  /** @param {string} of @param {string} shows */
-  choose(of, shows) {
-    tell(this, 'view', { of, shows });
   }
 }
 

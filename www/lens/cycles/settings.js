@@ -19,7 +19,7 @@ import { heights } from './branches.js';
  */
 
 /** The views, the first is the usual one; what each is stands in views.js. */
-export const viewNames = /** @type {const} */ (['cycle', 'branch', 'methods', 'tables', 'freeplay']);
+export const viewNames = /** @type {const} */ (['cycle', 'branch', 'methods', 'tables', 'freeplay', 'basins']);
 
 /** How a cycle can be drawn. */
 export const orbitViews = /** @type {const} */ (['portrait', 'deformation', 'space']);

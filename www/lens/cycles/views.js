@@ -1,4 +1,5 @@
 import { html } from 'lit';
+import './basins.js';
 import './branch.js';
 import './cycle.js';
 import './freeplay.js';
@@ -43,6 +44,11 @@ export const cycleViews = {
   freeplay: {
     template: ({ voice, quantities, settings, isVeiled, watch }) => html`<shimmy-freeplay class="stability-panel" .voice=${voice} .quantities=${quantities}
       .settings=${settings} .isVeiled=${isVeiled} .watch=${watch}></shimmy-freeplay>`,
+    fits: false, needsCycle: true,
+  },
+  basins: {
+    template: ({ voice, quantities, settings, isVeiled, watch }) => html`<shimmy-basins class="stability-panel" .voice=${voice} .quantities=${quantities}
+      .settings=${settings} .isVeiled=${isVeiled} .watch=${watch}></shimmy-basins>`,
     fits: false, needsCycle: true,
   },
 };
