@@ -1,7 +1,6 @@
 import { axisAcross, axisUp, drawAxes, frameOf } from './axes.js';
 import { strokeCurve, curveOf } from './curve.js';
-import { cellAt } from './field.js';
-import { drawHatch, hatchOf } from './hatch.js';
+import { drawHatch } from './hatch.js';
 import { drawPresent, drawSmear } from './points.js';
 import { quantities } from './quantities.js';
 import { destination, inStyle, unstableCycle } from './strokes.js';
@@ -18,15 +17,14 @@ import { drawWorkingPoint } from './working-point.js';
  * @typedef {import('./portrait.js').States} States
  * @typedef {import('../style/theme.js').Theme} Theme
  * @typedef {import('../words/voice.js').Voice} Voice
- * @typedef {{ columns: number, rows: number, values: Uint8Array }} Endings which ending each cell has; 255 where that is not known
  * @typedef {{
- *   limits: { angle: number, rate: number }, image: CanvasImageSource | null, endings: Endings | null, swings: readonly boolean[], isOld: boolean,
+ *   limits: { angle: number, rate: number }, image: CanvasImageSource | null, hatch: Float32Array | null, isOld: boolean,
  *   cycle: States | null, isCycleStable: boolean, trail: States, state: ArrayLike<number>, exposed: States | null, start: { x: number, y: number } | null, veiled: boolean,
- * }} Shown `image`: a pixel a cell; `swings`: of each ending, whether it does not come to rest; `start`: in rad and rad/s
+ * }} Shown `image`: a pixel a cell; `hatch`: over the starts that swing on; `start`: in rad and rad/s
  */
 
-/** @param {Size} size @param {Theme} theme */
-const frameOfBasins = (size, theme) => frameOf(size, theme);
+/** Where the plane goes in its picture. @param {Size} size @param {Theme} theme */
+export const frameOfBasins = (size, theme) => frameOf(size, theme);
 
 /** Where values stand, and what values stand where. @param {Size} size @param {Theme} theme @param {{ angle: number, rate: number }} limits */
 export function placesOfBasins(size, theme, { angle, rate }) {
@@ -47,15 +45,15 @@ export function placesOfBasins(size, theme, { angle, rate }) {
  * @param {Voice} voice
  */
 export function drawBasins(context, size, shown, theme, voice) {
-  const { limits, image, endings, swings, isOld, cycle, trail, state, exposed, start, veiled } = shown;
+  const { limits, image, hatch, isOld, cycle, trail, state, exposed, start, veiled } = shown;
   const frame = frameOfBasins(size, theme);
   const [width, height] = [frame.right - frame.left, frame.bottom - frame.top];
   if (width < 20 || height < 20) return;
-  if (!veiled && image && endings) {
+  if (!veiled && image) {
     context.globalAlpha = isOld ? 0.45 : 1;
     context.imageSmoothingEnabled = false;
     context.drawImage(image, frame.left, frame.top, width, height);
-    if (!isOld) drawHatch(context, hatchOf(frame, (across, up) => swings[cellAt(endings, across, up)] ?? false, theme), theme);
+    if (!isOld && hatch) drawHatch(context, hatch, theme);
     context.globalAlpha = 1;
   }
   const x = axisAcross(quantities.torsionAngle, [-limits.angle, limits.angle], frame, theme, voice);

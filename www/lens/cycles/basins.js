@@ -3,8 +3,10 @@ import { tell } from '../../command.js';
 import { runJob } from '../../engine/workers.js';
 import { limitsFor } from '../../run/fit.js';
 import { isSameList } from '../../store.js';
-import { drawBasins, placesOfBasins } from '../../view/basins.js';
+import { drawBasins, frameOfBasins, placesOfBasins } from '../../view/basins.js';
 import '../../view/canvas.js';
+import { cellAt } from '../../view/field.js';
+import { hatchOf } from '../../view/hatch.js';
 import { quantities as shown, valueOf } from '../../view/quantities.js';
 import { BesideWork } from './beside-work.js';
 import { colorsOfEndings, endingInWords, spread, swingsOn } from './endings.js';
@@ -38,7 +40,9 @@ export class Basins extends CyclePanel {
   /** Where the run was last put by a hand, in rad and rad/s. @type {{ x: number, y: number } | null} */ #start = null;
   #image = document.createElement('canvas');
   /** @type {unknown[]} */ #imageOf = [];
-  /** @type {{ of: unknown, endings: import('../../view/basins.js').Endings | null }} */ #cells = { of: null, endings: null };
+  /** Which ending each cell has. @type {Uint8Array} */ #cells = new Uint8Array();
+  /** @type {Float32Array | null} */ #hatch = null;
+  /** @type {unknown[]} */ #hatchOf = [];
   /** The plane holds while values change and it still serves. @type {{ object: string, limits: { angle: number, rate: number } } | null} */ #held = null;
   #hand = new PlaneHand({
     places: () => this.#places, point: () => this.#start ?? { x: 0, y: 0 },
@@ -150,27 +154,33 @@ export class Basins extends CyclePanel {
     if (!voice || !theme || !scene || !this.#held) return;
     const { result, isOld } = this.#work;
     const cycle = isVeiled ? null : this.cycle;
-    if (result && !isVeiled) this.#make(result, theme);
+    if (result && !isVeiled) this.#make(result, frameOfBasins(size, theme), theme);
     drawBasins(context, size, {
-      limits: this.#held.limits, image: result ? this.#image : null, endings: result ? this.#cells.endings : null, swings: result?.endings.map(swingsOn) ?? [], isOld,
+      limits: this.#held.limits, image: result ? this.#image : null, hatch: this.#hatch, isOld,
       cycle: cycle?.orbit ?? null, isCycleStable: cycle?.stable ?? true, trail: scene.orbitPast, state: scene.state, exposed: scene.exposed, start: this.#start, veiled: isVeiled,
     }, theme, voice);
   };
 
-  /** The cells as a picture, made anew only where they, or how they look, have changed. @param {Result} result @param {import('../../style/theme.js').Theme} theme */
-  #make(result, theme) {
-    if (this.#cells.of !== result) this.#cells = { of: result, endings: { columns, rows, values: spread(result.ending, columns) } };
-    const { endings } = this.#cells;
-    if (!endings || isSameList([result, theme], this.#imageOf)) return;
-    this.#imageOf = [result, theme];
-    const context = this.#image.getContext('2d');
-    if (!context) return;
-    Object.assign(this.#image, { width: columns, height: rows });
-    const colors = colorsOfEndings(result.endings, theme);
-    endings.values.forEach((ending, cell) => {
-      context.fillStyle = colors[ending] ?? theme.surface;
-      context.fillRect(cell % columns, rows - 1 - Math.floor(cell / columns), 1, 1);
-    });
+  /** The cells as a picture, and the hatch over it, made anew only where they, or how they look, have changed. @param {Result} result @param {import('../../view/axes.js').Box} frame @param {import('../../style/theme.js').Theme} theme */
+  #make(result, frame, theme) {
+    if (!isSameList([result, theme], this.#imageOf)) {
+      this.#imageOf = [result, theme];
+      this.#cells = spread(result.ending, columns);
+      const colors = colorsOfEndings(result.endings, theme);
+      const context = this.#image.getContext('2d');
+      if (!context) return;
+      Object.assign(this.#image, { width: columns, height: rows });
+      this.#cells.forEach((ending, cell) => {
+        context.fillStyle = colors[ending] ?? theme.surface;
+        context.fillRect(cell % columns, rows - 1 - Math.floor(cell / columns), 1, 1);
+      });
+    }
+    const laid = [result, theme, ...Object.values(frame)];
+    if (isSameList(laid, this.#hatchOf)) return;
+    this.#hatchOf = laid;
+    const swings = result.endings.map(swingsOn);
+    const field = { values: this.#cells, columns, rows };
+    this.#hatch = hatchOf(frame, (across, up) => swings[cellAt(field, across, up)] ?? false, theme);
   }
 
   /** The run goes on from a start. @param {number} x in rad @param {number} y in rad/s @param {string | null} gesture */

@@ -94,7 +94,12 @@ export class Branch extends CyclePanel {
       if (this.#isSweeping && height !== 'frequency') this.#sweep.look({ key: this.#others + height, shape: shape + height, spec: { ...gear, over: { ...range, count: stops }, measure: height } });
     }
     this.#picture.hold(scene, this.isVeiled ? null : this.cycle);
-    for (const canvas of this.querySelectorAll('.branch-plane shimmy-canvas, .branch-orbit')) /** @type {import('../../view/canvas.js').Canvas} */ (canvas).redraw();
+    const { result, isOld, isFailed } = this.#work;
+    this.redrawWhere('.branch-plane shimmy-canvas', [
+      result, isOld, isFailed, this.#sweep.result, this.#sweep.isOld, this.#cursor, this.cycle, this.settings, this.quantities, this.voice, this.isVeiled, theme,
+      scene.scales, scene.parameters[this.#branch.range.parameter], scene.outlook.present.amplitude,
+    ]);
+    /** @type {import('../../view/canvas.js').Canvas | null} */ (this.querySelector('.branch-orbit'))?.redraw();
   }
 
   render() {

@@ -73,13 +73,13 @@ export class Freeplay extends CyclePanel {
     return x && y && across && up ? { x: { ...x, quantity: across }, y: { ...y, quantity: up } } : null;
   }
 
-  get #canvases() {
-    return /** @type {import('../../view/canvas.js').Canvas[]} */ ([...this.querySelectorAll('.gap-map shimmy-canvas, .gap-branch')]);
+  get #canvas() {
+    return /** @type {import('../../view/canvas.js').Canvas | null} */ (this.querySelector('.gap-map shimmy-canvas'));
   }
 
   get #places() {
     const sides = this.#sides;
-    const size = this.#canvases[0]?.size;
+    const size = this.#canvas?.size;
     return sides && size && this.theme ? placesOfSwingMap(size, this.theme, sides.x, sides.y) : null;
   }
 
@@ -106,7 +106,11 @@ export class Freeplay extends CyclePanel {
   }
 
   #redraw() {
-    for (const canvas of this.#canvases) canvas.redraw();
+    const { x, y } = this.#point;
+    const always = [this.settings, this.quantities, this.voice, this.isVeiled, this.theme];
+    const { amplitudes, isOld, share } = this.#plane;
+    this.redrawWhere('.gap-map shimmy-canvas', [...always, amplitudes, isOld, share, this.#hover, x, y]);
+    this.redrawWhere('.gap-branch', [...always, this.#work.result, this.#work.isOld, this.#work.isFailed, this.cycle, y, this.scene?.outlook.present.amplitude]);
     const { ring } = this.#hand;
     const handle = /** @type {HTMLElement | null} */ (this.querySelector('.plane-point'));
     if (ring && handle) Object.assign(handle.style, { left: `${ring.x.toFixed(1)}px`, top: `${ring.y.toFixed(1)}px` });

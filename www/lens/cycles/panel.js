@@ -1,4 +1,5 @@
 import { tell } from '../../command.js';
+import { isSameList } from '../../store.js';
 import { Panel } from '../stability/panel.js';
 
 /**
@@ -18,6 +19,15 @@ export class CyclePanel extends Panel {
   get cycle() {
     const cycle = this.watch?.cycle;
     return cycle?.found ? cycle : null;
+  }
+
+  /** What each picture was drawn from last, by its selector. @type {Map<string, readonly unknown[]>} */ #drawn = new Map();
+
+  /** Draws a picture anew where what it is drawn from has changed: most pictures stand still while the gear moves. @param {string} selector @param {readonly unknown[]} from */
+  redrawWhere(selector, from) {
+    if (isSameList(this.#drawn.get(selector) ?? [], from)) return;
+    this.#drawn.set(selector, from);
+    /** @type {import('../../view/canvas.js').Canvas | null} */ (this.querySelector(selector))?.redraw();
   }
 
   /** A setting of the lens. @param {string} of @param {string} shows */
