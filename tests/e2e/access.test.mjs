@@ -12,7 +12,7 @@ const sizes = [[1440, 900], [1024, 768], [390, 844], [720, 450]];
 
 const site = withPage();
 
-for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024], [720, 450], [390, 844], [390, 667]])
+for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024], [900, 600], [390, 844], [390, 667]])
   test(`wheel, verdict and the damping's slider share the screen at ${width} × ${height}, scrolled or not`, async () => {
     const { page, leave } = await site.open('', { viewport: { width, height } });
     await untilVerdict(page, 'It shimmies');
@@ -25,6 +25,24 @@ for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [768, 1024
         assert.ok(box && box.height > 20 && box.y >= 0 && box.y + box.height <= height, `${what}, scrolled by ${down}: ${JSON.stringify(box)}`);
       }
     }
+    await leave();
+  });
+
+for (const [width, height] of [[720, 450], [844, 390]])
+  test(`at ${width} × ${height} wheel, verdict and slider share the screen, scrolled the whole plot and the slider do`, async () => {
+    const { page, leave } = await site.open('', { viewport: { width, height } });
+    await untilVerdict(page, 'It shimmies');
+    const seen = async (/** @type {string} */ what) => {
+      const box = await page.locator(what).boundingBox();
+      assert.ok(box && box.height > 20 && box.y > -1 && box.y + box.height <= height, `${what}: ${JSON.stringify(box)}`);
+      return box;
+    };
+    for (const what of ['.gear', 'shimmy-verdict h1', 'shimmy-dock [data-name="dampingConstant"] .slider']) await seen(what);
+    await page.evaluate(() => document.querySelector('.tabs')?.scrollIntoView());
+    await seen('.tabs');
+    const plot = await seen('#lens-panel .plot');
+    const slider = await seen('shimmy-dock [data-name="dampingConstant"] .slider');
+    assert.ok(plot.height >= 200 && plot.y + plot.height <= slider.y, JSON.stringify({ plot, slider }));
     await leave();
   });
 

@@ -98,6 +98,25 @@ for (const locale of ['en-US', 'tr-TR'])
     await leave();
   });
 
+for (const [width, height] of [[390, 844], [720, 450], [768, 1024]])
+  test(`the parts of the lens Compare stand one under the other at ${width} × ${height}, and all can be scrolled to`, async () => {
+    for (const [ghosts, last] of [['', '.empty button'], [ghost(60), 'tbody tr:last-child']]) {
+      const { page, leave } = await site.open(`${settled}&lens=compare${ghosts}`, { viewport: { width, height } });
+      await page.locator(`shimmy-compare-table ${last}`).waitFor();
+      await page.evaluate(() => window.scrollTo(0, 10_000));
+      const parts = ['shimmy-compare-lens shimmy-canvas', 'shimmy-compare-table', '#lens-panel footer', 'shimmy-strip', 'shimmy-dock'];
+      const boxes = await page.evaluate((names) => names.map((name) => /** @type {Element} */ (document.querySelector(name)).getBoundingClientRect().toJSON()), parts);
+      for (const [i, one] of boxes.entries())
+        for (const other of boxes.slice(0, i)) assert.ok(one.top >= other.bottom - 1 || one.bottom <= other.top + 1, `${parts[i]} over another: ${JSON.stringify(boxes)}`);
+      assert.ok(boxes[0].height >= 200);
+      const row = page.locator(`shimmy-compare-table ${last}`);
+      await row.scrollIntoViewIfNeeded();
+      const [shown, dock] = [await row.boundingBox(), await page.locator('shimmy-dock').boundingBox()];
+      assert.ok(shown && dock && shown.y + shown.height <= dock.y + 1);
+      await leave();
+    }
+  });
+
 test('on a phone what to try stands beside its button, not under it', async () => {
   const { page, leave } = await site.open(settled, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await page.locator('.story').waitFor();
