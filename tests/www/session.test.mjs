@@ -3,10 +3,13 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { openingParameters } from '../../www/opening.js';
+import { Session } from '../../www/run/session.js';
 import { gearAtRest } from '../../www/stage/at-rest.js';
 import { numbersOf } from '../../www/stage/verdict-line.js';
+import { Store } from '../../www/store.js';
 import { languages, voiceOf } from '../../www/words/voice.js';
 import { defaults, opened, table, wanted } from './opened-session.mjs';
+import { engine } from './stories.mjs';
 
 test('the page opens on a gear that shimmies', () => {
   const { session } = opened();
@@ -42,6 +45,26 @@ test('the ground behind keeps the speed it was driven at', () => {
   const { roll, track } = session.scene(wanted);
   assert.ok(Math.abs(roll - 40.1) < 1e-9);
   assert.ok(Math.abs(roll - track.distance[0] - wanted.trackLength) < 1e-9, 'the track is as long as it is seen');
+});
+
+test('a run that is begun again in its midst is drawn as large as it was: by its widest swing', () => {
+  const begin = (/** @type {number | undefined} */ time, changes = /** @type {import('../../www/run/live-run.js').Change[]} */ ([])) => {
+    const { store, session } = opened();
+    store.open({ parameters: { ...store.state.parameters, velocity: 20 }, run: { initial: { torsionAngle: 0.05 }, changes, ...(time && { time }) } });
+    return session;
+  };
+  // 0.05 rad are 2.9°, which × 5 draws at 14°. By half a second it has died to 0.2°.
+  assert.equal(begin(undefined).scales.magnification, 5);
+  const later = begin(0.5);
+  assert.ok(later.outlook.present.amplitude < 5e-3, `${later.outlook.present.amplitude}`);
+  assert.equal(later.scales.magnification, 5);
+  // A blow in between swung it 20 times as wide as anything else: as it did before the reload, that one counts.
+  const struck = begin(1, [{ time: 0.2, kick: 400 }]);
+  assert.equal(struck.scales.magnification, 1);
+  // What comes is no secret of the drawing's: veiled, only what has been seen counts.
+  const { state } = opened().store;
+  const asked = new Store({ ...state, predict: { guess: null, outcome: null }, run: { initial: { torsionAngle: 0.05 }, time: 0.02 } });
+  assert.equal(new Session(engine, asked).scales.magnification, 5);
 });
 
 test('the magnification is that of the start of the run until a hand asks for another', () => {

@@ -12,7 +12,7 @@
 
 import { roundLimit } from '../view/scale.js';
 import { limitsFor, magnificationFor, magnifications, stillFits } from './fit.js';
-import { onward } from './lookout.js';
+import { onward, stepsAhead } from './lookout.js';
 
 /** Drawn beyond this, a wheel tells nothing: then alone a run under way is magnified less than at its start. */
 const widestDrawn = (60 * Math.PI) / 180;
@@ -34,6 +34,30 @@ export const leastScales = { magnification: 1, limits: limitsFor({ angle: 0, rat
 export function fitted(engine, live, lookout, chosen) {
   const swing = swingOf(live, lookout);
   return { magnification: magnificationOf(swing.angle, chosen), limits: limitsFor(swing), forces: forceScale(engine, live, lookout) };
+}
+
+/**
+ * The same for a run that may be begun again in its midst, as from an address: the wheel is drawn as large as it was when the
+ * run began, or the same swing would look another one after a reload.
+ * @param {Engine} engine @param {LiveRun} live @param {Lookout} lookout @param {string | undefined} chosen the magnification by hand
+ * @returns {Scales}
+ */
+export function fittedAsBegun(engine, live, lookout, chosen) {
+  const now = fitted(engine, live, lookout, chosen);
+  if (live.time === 0) return now;
+  const { low, high } = live.envelope(live.range[0], live.time, 1);
+  const seen = Math.max(high[0], -low[0], swingOf(live, lookout).angle);
+  const begun = { ...now, magnification: magnificationOf(lookout.isVeiled ? seen : startSwing(engine, live) ?? seen, chosen) };
+  return isTooWide(begun, seen, chosen) ? { ...begun, magnification: magnificationOf(seen, chosen) } : begun;
+}
+
+/** The largest ψ that was ahead when a run began; null where the engine can not look ahead from there. @param {Engine} engine @param {LiveRun} live */
+function startSwing(engine, { object: model, recipe: { parameters, initial } }) {
+  try {
+    return Math.max(Math.abs(initial.torsionAngle ?? 0), widestAheadOf(engine.outlook({ model, parameters, initial, maxSteps: stepsAhead })));
+  } catch {
+    return null;
+  }
 }
 
 /**
@@ -70,17 +94,22 @@ export function magnificationOf(angle, chosen) {
  * @returns {Swing}
  */
 export function swingOf(live, { outlook, frequency }) {
-  const { amplitude, present, envelope } = outlook;
+  const { amplitude } = outlook;
   const [angle, rate, deformation] = live.state.map(Math.abs);
-  let ahead = Math.max(present.amplitude, amplitude.torsionAngle);
-  for (let i = 0; i < envelope.time.length; i++) ahead = Math.max(ahead, envelope.high[i], -envelope.low[i]);
-  const widest = Math.max(angle, Math.min(ahead, widestAhead));
+  const widest = Math.max(angle, widestAheadOf(outlook));
   const share = amplitude.torsionAngle > 0 ? amplitude.lateralDeformation / amplitude.torsionAngle : 0.2;
   return {
     angle: widest,
     rate: Math.max(rate, 2 * Math.PI * (frequency ?? 0) * widest),
     deformation: Math.max(deformation, share * widest),
   };
+}
+
+/** The largest ψ to come, in rad. @param {import('../engine/engine.js').Outlook} outlook */
+function widestAheadOf({ amplitude, present, envelope }) {
+  let ahead = Math.max(present.amplitude, amplitude.torsionAngle);
+  for (let i = 0; i < envelope.time.length; i++) ahead = Math.max(ahead, envelope.high[i], -envelope.low[i]);
+  return Math.min(ahead, widestAhead);
 }
 
 /** The largest ψ of the trail, in rad. @param {LiveRun} live @param {Lookout} lookout */

@@ -6,6 +6,7 @@
  */
 
 import { isSameRecord } from '../store.js';
+import { isSameRecord } from '../store.js';
 import { spanFor } from './fit.js';
 import { Ghosts } from './ghosts.js';
 import { followed, linksBrokenBy, linksBrokenByPoint, withFollowers } from './links.js';
@@ -13,8 +14,7 @@ import { LiveRun, recipeOf } from './live-run.js';
 import { Lookout } from './lookout.js';
 import { Odometer } from './odometer.js';
 import { PastEnvelope } from './past-envelope.js';
-import { fitted, isTooWide, leastScales, magnificationOf, refitted, swingOf } from './scales.js';
-import { isSameRecord } from '../store.js';
+import { fitted, fittedAsBegun, isTooWide, leastScales, magnificationOf, refitted, swingOf } from './scales.js';
 import { sceneOf } from './scene.js';
 
 /**
@@ -60,7 +60,7 @@ export class Session {
     this.ghosts.follow(store.state.ghosts, this.time);
     this.#tried(() => this.#lookout.look(this.#live));
     /** How large things are drawn. */
-    this.scales = this.#tried(() => this.#fitted()) ?? leastScales;
+    this.scales = this.#tried(() => fittedAsBegun(engine, this.#live, this.#lookout, this.#chosenMagnification)) ?? leastScales;
     store.here = () => this.#place;
     store.subscribe((state, before, place) => this.#follow(state, before, place));
   }
@@ -325,7 +325,7 @@ export class Session {
     this.#live = live;
     this.#held = null;
     this.refresh();
-    this.fit();
+    this.scales = this.#tried(() => fittedAsBegun(this.#engine, live, this.#lookout, this.#chosenMagnification)) ?? this.scales;
   }
 
   /** Takes the run to a place: of its own past, or of a run that was there before it. @param {Place} place */
