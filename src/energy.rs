@@ -20,10 +20,8 @@ pub(crate) const GAUSS: [(f64, f64); 5] = [
 /// A step is at most this part of the time looked at: quadrature holds whatever the tolerance.
 const STEPS: f64 = 16.0;
 
-/// Energy that went through the steering motion over a time \[J\]: `tire` = `damper` + `tread_width` + `stored`, up to the
-/// error of the integration.
-///
-/// A friction element would take its own part out, and gets its own field when there is one.
+/// Energy that went through the steering motion over a time \[J\]: `tire` = `damper` + `tread_width` + `friction` + `stored`,
+/// up to the error of the integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
     /// The time \[s\].
@@ -34,6 +32,8 @@ pub struct Energy {
     pub damper: f64,
     /// ∫(κ/v)ψ̇² dt: what the width of the tread takes.
     pub tread_width: f64,
+    /// ∫M_f|ψ̇| dt: what dry friction takes.
+    pub friction: f64,
     /// By how much ½I_zψ̇² has risen.
     pub kinetic: f64,
     /// By how much ½k s(ψ)² has risen.
@@ -57,16 +57,20 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Opti
         step(&mut motion, duration, posed.run.max_steps())?;
         let (start, length) = (motion.step_start(), motion.time() - motion.step_start());
         for (place, weight) in GAUSS {
-            let Power { tire, damper, tread_width } = laws.power(&motion.interpolate(start + place * length));
+            let Power { tire, damper, tread_width, friction } = laws.power(&motion.interpolate(start + place * length));
             energy.tire += weight * length * tire;
             energy.damper += weight * length * damper;
             energy.tread_width += weight * length * tread_width;
+            energy.friction += weight * length * friction;
         }
     }
     let end = laws.stored(motion.state());
     (energy.kinetic, energy.spring) = (end.0 - kinetic, end.1 - spring);
     energy.stored = energy.kinetic + energy.spring;
-    Error::unless_finite("the energy", &[energy.tire, energy.damper, energy.tread_width, energy.stored])?;
+    Error::unless_finite(
+        "the energy",
+        &[energy.tire, energy.damper, energy.tread_width, energy.friction, energy.stored],
+    )?;
     Ok(Some(energy))
 }
 

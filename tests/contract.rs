@@ -110,9 +110,11 @@ fn assert_sides_hold_where_they_are_said_to<M: Model<N>, const N: usize>() {
         for which in 0..<M::System as System<N>>::SWITCHES {
             let Some(value) = system.switch(which, 0.0, mode, &x) else { continue };
             assert!(value >= 0.0, "{}: switch {which} says {value} in the mode chosen at {x:?}", M::NAME);
-            let across = system.cross(which, mode);
+            let mut there = x;
+            let across = system.cross(which, mode, &mut there);
             assert_ne!(across, mode);
-            assert_eq!(system.cross(which, across), mode, "the way back is the same switch");
+            assert_eq!(system.cross(which, across, &mut there), mode, "the way back is the same switch");
+            assert_eq!(there, x, "no law of these holds a state");
             let beyond = system.switch(which, 0.0, across, &x).expect("the same surface seen from its other side");
             assert_eq!(beyond, -value);
             // The laws are continuous: on the surface both sides say the same. Off it they part as the distance does.
@@ -158,9 +160,10 @@ fn tables_say_what_they_must() {
         assert_unique(here, parameters.chain(model.state.iter().map(|state| state.name)));
         assert_unique(here, model.parameters.iter().map(|parameter| parameter.symbol));
         assert_unique(here, model.state.iter().map(|state| state.symbol));
-        for parameter in model.parameters {
+        assert_eq!([model.parameters, model.friction].concat().len(), model.table.len());
+        for parameter in model.table {
             let name = parameter.name;
-            assert_camel_case(name);
+            name.split('.').for_each(assert_camel_case);
             assert!(parameter.min < parameter.max, "{here}.{name}");
             assert!((parameter.min..=parameter.max).contains(&parameter.default), "{here}.{name}");
             for value in [parameter.min, parameter.default, parameter.max] {
@@ -177,7 +180,7 @@ fn tables_say_what_they_must() {
             assert!(state.scale > 0.0 && state.scale.is_finite());
             assert!(!state.doc.is_empty() && !state.symbol.is_empty() && !state.unit.is_empty());
         }
-        assert_eq!(model.defaults().len(), model.parameters.len());
+        assert_eq!(model.defaults().len(), model.table.len());
     }
 }
 

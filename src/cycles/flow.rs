@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     error::Result,
-    integrate::{Failure, Integrator, Method, Scheme, Tolerance, failed},
+    integrate::{Failure, Integrator, Method, Outcome, Scheme, Tolerance, failed},
     live::Columns,
     model::{Gear, System},
     run::Posed,
@@ -137,9 +137,16 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
             if self.motion.stats().steps >= end {
                 return None;
             }
-            self.motion.step(duration).ok()?;
+            let outcome = self.motion.step(duration).ok()?;
             if neighbours && self.motion.time() > self.motion.step_start() {
                 matrix = self.carried().times(&matrix);
+            }
+            if neighbours
+                && let Outcome::Switch(which) = outcome
+                && let Some((jump, normal)) = self.motion.jump(which)
+            {
+                let leap = |i: usize, j: usize| jump[i] / self.scale[i] * (normal[j] * self.scale[j]);
+                matrix = Square::of(N, &|i, j| leap(i, j) + f64::from(u8::from(i == j))).times(&matrix);
             }
         }
         let end = *self.motion.state();

@@ -2,8 +2,9 @@
 //!
 //! A start is brought near a cycle by following the motion ([`crate::outlook`]), or given. *Shooting* then asks for the state
 //! and the period after which the motion is back, by Newton's method, with the derivative of the arrival with respect to the
-//! start. That comes from the variational equations d′ = J(x(t)) d along each step of the motion: the field is continuous
-//! across its kinks, and a step ends at each, so nothing jumps there. The derivative over one period has the *Floquet
+//! start. That comes from the variational equations d′ = J(x(t)) d along each step of the motion: a step ends at
+//! each kink, across which the field is continuous, so that nothing jumps there; where dry friction turns, it jumps, and
+//! what that does to neighbours is known in closed form. The derivative over one period has the *Floquet
 //! multipliers* as eigenvalues: one is 1 (along the cycle), the others say whether a neighbour comes nearer.
 //!
 //! Over the range of a parameter cycles form branches ([`Bifurcation`]): born at Hopf points, folding, or there without either.

@@ -34,6 +34,11 @@ impl Spring {
         self.freeplay
     }
 
+    /// By side: stiffness and offset of k s(ψ).
+    pub(crate) fn lines(&self) -> [(f64, f64); 4] {
+        self.lines
+    }
+
     /// k s(ψ) \[N m\].
     #[inline(always)]
     pub fn torque<R: Real>(&self, angle: R, side: u32) -> R {

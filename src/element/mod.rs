@@ -5,6 +5,7 @@
 //! integrator finds the crossing on a smooth curve.
 
 pub mod freeplay;
+pub mod friction;
 pub mod kink;
 pub mod odd_polynomial;
 pub mod tire_law;

@@ -128,21 +128,43 @@ impl Locator {
         course[0] = values[0];
         course[NODES - 1] = values[NODES - 1];
         if fresh || course[0].abs() <= noise {
-            // Start on the boundary: what counts is the course divided by θ.
             course[0] = 0.0;
-            let divided: [f64; NODES - 1] =
-                std::array::from_fn(|i| course[i + 1] * (NODES - 1) as f64 / (i + 1) as f64);
-            if divided[0] <= 0.0 {
-                return falls_below(&course, noise).then_some(0.0);
-            }
-            return first_fall(&divided, 0.0, 1.0, &|theta| if theta > 0.0 { switch(theta) } else { divided[0] })
-                .filter(|&theta| theta == 1.0 || falls_below(&split(&course, theta).1, noise));
+            return first_fall_from_zero(&course, noise, &switch);
         }
         if course[0] < 0.0 {
             return Some(0.0);
         }
         first_fall(&course, 0.0, 1.0, &switch)
             .filter(|&theta| theta == 1.0 || falls_below(&split(&course, theta).1, noise))
+    }
+}
+
+/// As [`Locator::first`], for a start on the boundary: what counts is the course divided by θ.
+fn first_fall_from_zero(course: &[f64; NODES], noise: f64, switch: &dyn Fn(f64) -> f64) -> Option<f64> {
+    let divided: [f64; NODES - 1] = std::array::from_fn(|i| course[i + 1] * (NODES - 1) as f64 / (i + 1) as f64);
+    if divided[0] > 0.0 {
+        return first_fall(&divided, 0.0, 1.0, &|theta| if theta > 0.0 { switch(theta) } else { divided[0] })
+            .filter(|&theta| theta == 1.0 || falls_below(&split(course, theta).1, noise));
+    }
+    // It starts flat, or falls: where it comes up again without having been below zero by more than rounding, it has only
+    // started flat, and may still fall later.
+    let rise = first_fall(&divided.map(|part| -part), 0.0, 1.0, &|theta| {
+        if theta > 0.0 { -switch(theta) } else { -divided[0] }
+    });
+    let fell = |part: &[f64; NODES]| dips_below(part, -noise, 20);
+    match rise {
+        Some(rise) if rise < 1.0 => {
+            let (dip, mut rest) = split(course, rise);
+            if fell(&dip) {
+                return Some(0.0);
+            }
+            rest[0] = 0.0;
+            let ahead = |theta: f64| switch(rise + theta * (1.0 - rise));
+            let fall =
+                if rest[1] > 0.0 { first_fall_from_zero(&rest, noise, &ahead) } else { fell(&rest).then_some(0.0) };
+            fall.map(|theta| rise + theta * (1.0 - rise))
+        }
+        _ => falls_below(course, noise).then_some(0.0),
     }
 }
 

@@ -37,7 +37,7 @@ impl<S: Gear<N>, const N: usize> Cursor<S, N> {
     }
 
     pub fn parameters(&self) -> &[f64] {
-        &self.parameters[..self.tables.description.parameters.len()]
+        &self.parameters[..self.tables.description.table.len()]
     }
 
     /// Makes a change at time `t` within the last step. Where it cannot be made, nothing changes. `known` is the system that
@@ -68,7 +68,7 @@ impl<S: Gear<N>, const N: usize> Cursor<S, N> {
 
     /// Writes or reads every number of the cursor. False where what was read makes no sense.
     pub fn code(&mut self, codec: &mut dyn Codec) -> bool {
-        let table = self.tables.description.parameters;
+        let table = self.tables.description.table;
         for value in &mut self.parameters[..table.len()] {
             codec.number(value);
         }

@@ -127,7 +127,7 @@ impl<S: Gear<N>, const N: usize> Live for Motion<S, N> {
     }
 
     fn set(&mut self, name: &str, value: f64) -> Result<()> {
-        let table = self.description().parameters;
+        let table = self.description().table;
         let index = parameter_index(table, name)?;
         let value = table[index].check(value)?;
         if self.present.parameters()[index] == value {

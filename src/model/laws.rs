@@ -6,15 +6,15 @@ pub use self::curves::{Curves, ForceLaws, Kinks};
 
 use super::torsional::{PSI, PSI_RATE, Y};
 use crate::{
-    element::{Side, freeplay::Spring, tire_law::TireLaw},
+    element::{Side, freeplay::Spring, friction::DryFriction, tire_law::TireLaw},
     error::{Error, Result},
 };
 
 /// The moments about the steering axis of a wheel on a stretched-string tire, each by itself.
 ///
 /// # Equations
-/// I_z ψ̈ is their sum: the spring's −k s(ψ), the damper's −cψ̇, the tread width's −(κ/v)ψ̇ and the tire's M_z − e F_y. The
-/// model's own right-hand side says the same in another form, made for speed.
+/// I_z ψ̈ is their sum: the spring's −k s(ψ), the damper's −cψ̇, the tread width's −(κ/v)ψ̇, the tire's M_z − e F_y, and the
+/// friction's −M_f sign ψ̇, which at ψ̇ = 0 is as much as is needed, up to M_f. The model's own right-hand side says the same in another form, made for speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Laws {
     /// F_y and M_z.
@@ -27,6 +27,8 @@ pub struct Laws {
     pub stiffness: f64,
     /// ψ_fp \[rad\], 0 where there is no gap.
     pub freeplay: f64,
+    /// M_f \[N m\], 0 where there is no dry friction.
+    pub friction: f64,
     /// c \[N m s/rad\].
     pub damping: f64,
     /// κ/v \[N m s/rad\].
@@ -50,6 +52,8 @@ pub struct Forces {
     pub spring_angle: f64,
     /// −k s(ψ) \[N m\].
     pub spring_torque: f64,
+    /// What the dry friction does \[N m\].
+    pub friction_torque: f64,
 }
 
 /// Forces along a motion, row by row.
@@ -63,6 +67,8 @@ pub struct ForceColumns {
     pub aligning_moment: Vec<f64>,
     /// −k s(ψ) \[N m\].
     pub spring_torque: Vec<f64>,
+    /// What the dry friction does \[N m\].
+    pub friction_torque: Vec<f64>,
 }
 
 /// What each element does to the motion at a state \[W\]: positive puts energy in, or takes it out, as the name says.
@@ -74,22 +80,26 @@ pub struct Power {
     pub damper: f64,
     /// (κ/v)ψ̇², taken out by the tread's width.
     pub tread_width: f64,
+    /// M_f|ψ̇|, taken out by dry friction.
+    pub friction: f64,
 }
 
 impl Forces {
     /// Themselves, where they are numbers: a tire may be so short, or a state so large, that they are not.
     fn checked(self) -> Result<Self> {
-        let Self { slip_angle, side_force, aligning_moment, spring_torque, .. } = self;
-        Error::unless_finite("the forces", &[slip_angle, side_force, aligning_moment, spring_torque])?;
+        let Self { slip_angle, side_force, aligning_moment, spring_torque, friction_torque, .. } = self;
+        let all = [slip_angle, side_force, aligning_moment, spring_torque, friction_torque];
+        Error::unless_finite("the forces", &all)?;
         Ok(self)
     }
 }
 
 impl Laws {
-    /// The laws of small motions about rest: straight, and without a spring in a gap.
+    /// The laws of small motions about rest: straight, without a spring in a gap, and without friction, which would let
+    /// nothing move.
     pub fn linearised(&self) -> Self {
         let stiffness = if self.freeplay > 0.0 { 0.0 } else { self.stiffness };
-        Self { tire: TireLaw::Linear(self.tire.linearised()), stiffness, freeplay: 0.0, ..*self }
+        Self { tire: TireLaw::Linear(self.tire.linearised()), stiffness, freeplay: 0.0, friction: 0.0, ..*self }
     }
 
     /// α, F_y, M_z and whether F_y is at its limit, at the slip ratio q = y/σ.
@@ -113,7 +123,18 @@ impl Laws {
             self.at_slip_ratio(x[Y] / self.relaxation_length);
         let spring_angle = self.spring_angle(x[PSI]);
         let spring_torque = -self.stiffness * spring_angle;
-        Forces { slip_angle, side_force, aligning_moment, side_force_limited, spring_angle, spring_torque }.checked()
+        let load = spring_torque + aligning_moment - self.caster_length * side_force;
+        let friction_torque = DryFriction::new(self.friction).torque(x[PSI_RATE], load);
+        let forces = Forces {
+            slip_angle,
+            side_force,
+            aligning_moment,
+            side_force_limited,
+            spring_angle,
+            spring_torque,
+            friction_torque,
+        };
+        forces.checked()
     }
 
     /// Forces at every row of the states' columns, which are of the same length.
@@ -123,14 +144,20 @@ impl Laws {
     pub(crate) fn along(&self, states: &[Vec<f64>]) -> Result<ForceColumns> {
         let rows = states.first().map_or(0, Vec::len);
         let empty = || Vec::with_capacity(rows);
-        let (slip_angle, side_force) = (empty(), empty());
-        let mut columns = ForceColumns { slip_angle, side_force, aligning_moment: empty(), spring_torque: empty() };
+        let mut columns = ForceColumns {
+            slip_angle: empty(),
+            side_force: empty(),
+            aligning_moment: empty(),
+            spring_torque: empty(),
+            friction_torque: empty(),
+        };
         for row in 0..rows {
             let forces = self.forces(&[states[PSI][row], states[PSI_RATE][row], states[Y][row]])?;
             columns.slip_angle.push(forces.slip_angle);
             columns.side_force.push(forces.side_force);
             columns.aligning_moment.push(forces.aligning_moment);
             columns.spring_torque.push(forces.spring_torque);
+            columns.friction_torque.push(forces.friction_torque);
         }
         Ok(columns)
     }
@@ -144,6 +171,7 @@ impl Laws {
             tire: (aligning_moment - self.caster_length * side_force) * rate,
             damper: self.damping * rate * rate,
             tread_width: self.tread_damping * rate * rate,
+            friction: self.friction * rate.abs(),
         }
     }
 

@@ -31,8 +31,13 @@ pub struct Description {
     pub title: &'static str,
     /// Parameters in the order in which they are stored.
     pub parameters: &'static [Parameter],
+    /// Those of the dry friction that it takes, by the dotted names that reach them; none where it takes none.
+    pub friction: &'static [Parameter],
     /// State variables in the order in which they are stored.
     pub state: &'static [StateVariable],
+    /// All values that a run holds: see [`Model::TABLE`].
+    #[serde(skip)]
+    pub table: &'static [Parameter],
     /// See [`Model::laws`].
     #[serde(skip)]
     pub(crate) laws: fn(&[f64]) -> Option<Laws>,
@@ -60,6 +65,8 @@ impl Description {
             name: M::NAME,
             title: M::TITLE,
             parameters: M::PARAMETERS,
+            friction: M::TABLE.split_at(M::PARAMETERS.len()).1,
+            table: M::TABLE,
             state: M::STATE,
             laws: M::laws,
             prepared: M::prepared,
@@ -70,9 +77,9 @@ impl Description {
         }
     }
 
-    /// Default values of all parameters, in table order.
+    /// Default values of all parameters, in table order, those of elements after them.
     pub fn defaults(&self) -> Vec<f64> {
-        self.parameters.iter().map(|p| p.default).collect()
+        self.table.iter().map(|p| p.default).collect()
     }
 }
 

@@ -7,7 +7,8 @@ use crate::{
     stability::{Ring, TorsionalTheory},
 };
 
-/// Which piece of each piecewise law holds: two bits a kink (see [`crate::element::Side`]).
+/// Which piece of each piecewise law holds: two bits a kink (see [`crate::element::Side`]), or a friction
+/// ([`crate::element::friction::Rubbing`]).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Mode(pub u32);
 
@@ -32,7 +33,13 @@ impl Mode {
     /// The same mode with kink `kink` on another side.
     #[must_use]
     pub fn with_side(self, kink: usize, side: crate::element::Side) -> Self {
-        Self(self.0 & !(3 << (2 * kink)) | (side as u32) << (2 * kink))
+        self.with(kink, side as u32)
+    }
+
+    /// The same mode with other bits for kink `kink`: two.
+    #[must_use]
+    pub fn with(self, kink: usize, bits: u32) -> Self {
+        Self(self.0 & !(3 << (2 * kink)) | bits << (2 * kink))
     }
 }
 
@@ -70,9 +77,10 @@ pub trait System<const N: usize>: Clone {
         None
     }
 
-    /// The mode after switch `which`.
-    fn cross(&self, which: usize, mode: Mode) -> Mode {
-        let _ = which;
+    /// The mode after switch `which`, which has fallen through 0 at `x`. Where a law goes on from a definite place (a wheel
+    /// that sticks does not turn), the state is brought there exactly, and by no more than rounding.
+    fn cross(&self, which: usize, mode: Mode, x: &mut [f64; N]) -> Mode {
+        let _ = (which, x);
         mode
     }
 
@@ -91,6 +99,11 @@ pub trait Gear<const N: usize>: System<N> + 'static {
     fn without_freeplay(&self) -> Option<Self> {
         None
     }
+
+    /// Whether dry friction can hold it.
+    fn sticks(&self) -> bool {
+        false
+    }
 }
 
 /// A system with its tables: everything that a listed model has.
@@ -104,6 +117,9 @@ pub trait Model<const N: usize>: 'static {
     const TITLE: &'static str;
     /// Parameters, in the order of `new`'s values.
     const PARAMETERS: &'static [Parameter];
+    /// All values that a run of it holds: its parameters, and after them those of the elements that it takes, by dotted
+    /// names. Whoever gives values may leave elements out.
+    const TABLE: &'static [Parameter] = Self::PARAMETERS;
     /// State variables, in the order of the state.
     const STATE: &'static [StateVariable];
 

@@ -12,6 +12,7 @@ use crate::{
     element::{
         Boundary, Side,
         freeplay::Spring,
+        friction::{DryFriction, Rubbing, with_friction},
         tire_law::{PiecewiseTireLaw, SteeringMoment, TireLaw},
     },
     parameter::{Parameter, StateVariable},
@@ -29,17 +30,24 @@ pub const Y: usize = 2;
 // Kinks, in the order of their bits in a mode. F_y and M_z are neighbours: their sides are read as one number.
 const SIDE_FORCE: usize = 0;
 const ALIGNING: usize = 1;
+// So are the spring's side and what the friction does.
 const FREEPLAY: usize = 2;
+const FRICTION: usize = 3;
+
+// Two switches a kink, and those of the friction: it comes to rest, and it can no longer hold.
+const STOP: usize = 6;
+const RELEASE: usize = 7;
 
 /// A wheel that turns about a steering axis by the angle ψ against a spring and a damper, and is steered by its own tire.
 ///
 /// # Equations
 /// ```text
-/// I_z ψ̈ = −k s(ψ) − c ψ̇ − (κ/v) ψ̇ + M_z(α) − e F_y(α)
+/// I_z ψ̈ = −k s(ψ) − c ψ̇ − (κ/v) ψ̇ + M_z(α) − e F_y(α) − M_f sign ψ̇
 /// ẏ     = v ψ + (e − a) ψ̇ − (v/σ) y
 /// α     = arctan(y/σ)
 /// ```
-/// s is the spring's angle with freeplay ([`Spring`]), F_y and M_z the piecewise tire law ([`PiecewiseTireLaw`]).
+/// s is the spring's angle with freeplay ([`Spring`]), F_y and M_z the piecewise tire law ([`PiecewiseTireLaw`]), M_f a dry
+/// friction ([`DryFriction`]) where there is one: at ψ̇ = 0 the wheel sticks as long as the other moments are within ± M_f.
 ///
 /// # State
 /// | name | symbol | unit | positive |
@@ -54,7 +62,8 @@ const FREEPLAY: usize = 2;
 ///
 /// # Limits
 /// v > 0. Amplitudes beyond about 0.5 rad leave the range of the kinematics. With ψ_fp = 0 there is no gap and no switch
-/// for it. The equations are odd in the state, and homogeneous in (state, ψ_fp) while the tire is in its linear range.
+/// for it, as with M_f = 0. The equations are odd in the state, and homogeneous in (state, ψ_fp, M_f) while the tire is in
+/// its linear range.
 ///
 /// # References
 /// G. Somieski, *Aerospace Science and Technology* 8 (1997) 545–555; used by E. Atabay, *Dynamics of a Landing Gear
@@ -82,6 +91,10 @@ pub struct Torsional {
     mobility: f64,
     /// k s(ψ)/I_z
     spring: Spring,
+    /// M_f/I_z
+    friction: DryFriction,
+    /// By the spring's side and, four times that, what the friction does: both over I_z, a straight line in ψ.
+    lines: [(f64, f64); 16],
     /// tan δ and tan α_g
     limits: [f64; 2],
     /// (M_z − e F_y)/I_z
@@ -124,6 +137,8 @@ impl Torsional {
     /// A wheel with these laws that rolls with the velocity v \[m/s\] on a tire of half contact length a \[m\].
     pub fn rolling(laws: &Laws, velocity: f64, half_contact_length: f64) -> Self {
         let Laws { relaxation_length, moment_of_inertia, .. } = *laws;
+        let spring = Spring::new(laws.stiffness / moment_of_inertia, laws.freeplay);
+        let friction = DryFriction::new(laws.friction / moment_of_inertia);
         Self {
             motion: Motion {
                 velocity,
@@ -134,22 +149,59 @@ impl Torsional {
             slip_ratio: 1.0 / relaxation_length,
             mobility: 1.0 / moment_of_inertia,
             stiffness: laws.stiffness,
-            spring: Spring::new(laws.stiffness / moment_of_inertia, laws.freeplay),
+            spring,
+            friction,
+            lines: lines(&spring, &friction),
             limits: [laws.tire.side_force_limit(), laws.tire.aligning_limit()],
             tire: SteeringMoment::new(laws.tire, laws.caster_length, relaxation_length, moment_of_inertia),
         }
     }
+
+    /// The sum of all moments but the friction's on a wheel that does not turn, over I_z.
+    #[inline(always)]
+    fn load<R: Real>(&self, mode: Mode, x: &[R; 3]) -> R {
+        let limited = self.tire.constant(mode.sides(SIDE_FORCE));
+        -(self.spring.torque(x[PSI], mode.sides(FREEPLAY)) - limited) + self.tire.curve(x[Y], mode.sides(SIDE_FORCE))
+    }
+
+    /// What the friction does in a mode.
+    #[inline(always)]
+    fn rubs(mode: Mode, how: Rubbing) -> bool {
+        mode.sides(FRICTION) & 3 == how as u32
+    }
+}
+
+/// See [`Torsional::lines`].
+fn lines(spring: &Spring, friction: &DryFriction) -> [(f64, f64); 16] {
+    std::array::from_fn(|bits| {
+        let (stiffness, offset) = spring.lines()[bits & 3];
+        let rubbing = bits >> 2;
+        let torque = if rubbing == Rubbing::Forward as usize {
+            friction.moment()
+        } else if rubbing == Rubbing::Backward as usize {
+            -friction.moment()
+        } else {
+            0.0
+        };
+        (stiffness, offset + torque)
+    })
 }
 
 impl System<3> for Torsional {
-    const SWITCHES: usize = 6;
-    const EVENT_KINDS: &'static [&'static str] = &["side-force-limit", "aligning-moment-limit", "freeplay"];
+    const SWITCHES: usize = 8;
+    const EVENT_KINDS: &'static [&'static str] =
+        &["side-force-limit", "aligning-moment-limit", "freeplay", "friction-stop", "friction-release"];
 
     #[inline(always)]
     fn rate<R: Real>(&self, _t: R, mode: Mode, x: &[R; 3]) -> [R; 3] {
+        if Self::rubs(mode, Rubbing::Sticking) {
+            let still = R::from(0.0);
+            return [still, still, x[PSI] * self.motion.velocity - x[Y] * self.motion.relaxation_rate];
+        }
         // All moments over I_z. A side force at its limit is constant: it is there as early as the spring's.
         let limited = self.tire.constant(mode.sides(SIDE_FORCE));
-        let spring = self.spring.torque(x[PSI], mode.sides(FREEPLAY)) - limited;
+        let (stiffness, offset) = self.lines[(mode.sides(FREEPLAY) & 15) as usize];
+        let spring = x[PSI] * stiffness + offset - limited;
         self.motion.rate(x, spring, self.tire.curve(x[Y], mode.sides(SIDE_FORCE)))
     }
 
@@ -162,11 +214,18 @@ impl System<3> for Torsional {
         if self.spring.freeplay() > 0.0 {
             mode = mode.with_side(FREEPLAY, Side::of(x[PSI], x[PSI_RATE], self.spring.freeplay()));
         }
-        mode
+        mode.with(FRICTION, self.friction.at(x[PSI_RATE], self.load(mode, x)) as u32)
     }
 
     #[inline(always)]
     fn switch<R: Real>(&self, which: usize, _t: R, mode: Mode, x: &[R; 3]) -> Option<R> {
+        match which {
+            STOP if Self::rubs(mode, Rubbing::Forward) => return Some(x[PSI_RATE]),
+            STOP if Self::rubs(mode, Rubbing::Backward) => return Some(-x[PSI_RATE]),
+            RELEASE if Self::rubs(mode, Rubbing::Sticking) => return Some(self.friction.margin(self.load(mode, x))),
+            STOP | RELEASE => return None,
+            _ => {}
+        }
         let (kink, boundary) = kink_and_boundary(which);
         let (quantity, limit) = match kink {
             SIDE_FORCE | ALIGNING if self.limits[kink].is_finite() => (x[Y] * self.slip_ratio, self.limits[kink]),
@@ -177,13 +236,23 @@ impl System<3> for Torsional {
         mode.side(kink).margin(boundary, quantity, limit)
     }
 
-    fn cross(&self, which: usize, mode: Mode) -> Mode {
+    fn cross(&self, which: usize, mode: Mode, x: &mut [f64; 3]) -> Mode {
+        if which == STOP || which == RELEASE {
+            x[PSI_RATE] = 0.0;
+            let load = self.load(mode, x);
+            let rubbing = if which == STOP { self.friction.at(0.0, load) } else { self.friction.released(load) };
+            return mode.with(FRICTION, rubbing as u32);
+        }
         let (kink, boundary) = kink_and_boundary(which);
         mode.with_side(kink, mode.side(kink).across(boundary))
     }
 
     fn event_kind(&self, which: usize) -> usize {
-        kink_and_boundary(which).0
+        match which {
+            STOP => 3,
+            RELEASE => 4,
+            _ => kink_and_boundary(which).0,
+        }
     }
 }
 
@@ -199,8 +268,14 @@ impl Gear<3> for Torsional {
     }
 
     fn without_freeplay(&self) -> Option<Self> {
-        (self.spring.freeplay() > 0.0)
-            .then(|| Self { spring: Spring::new(self.stiffness * self.mobility, 0.0), ..self.clone() })
+        (self.spring.freeplay() > 0.0).then(|| {
+            let spring = Spring::new(self.stiffness * self.mobility, 0.0);
+            Self { spring, lines: lines(&spring, &self.friction), ..self.clone() }
+        })
+    }
+
+    fn sticks(&self) -> bool {
+        self.friction.moment() > 0.0
     }
 }
 
@@ -209,6 +284,7 @@ impl Model<3> for Torsional {
     const NAME: &'static str = "torsional";
     const TITLE: &'static str = "Torsional nose landing gear on a stretched-string tire";
     const PARAMETERS: &'static [Parameter] = &PARAMETERS;
+    const TABLE: &'static [Parameter] = &with_friction::<14, 15>(PARAMETERS);
     const STATE: &'static [StateVariable] = &STATE;
 
     fn new(values: &[f64]) -> Self {
@@ -222,7 +298,9 @@ impl Model<3> for Torsional {
     }
 
     fn laws(values: &[f64]) -> Option<Laws> {
-        let &[v, e, _, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, delta, alpha_g, kappa, freeplay] = values else {
+        let &[v, e, _, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, delta, alpha_g, kappa, freeplay, ref elements @ ..] =
+            values
+        else {
             return None;
         };
         Some(Laws {
@@ -231,6 +309,7 @@ impl Model<3> for Torsional {
             caster_length: e,
             stiffness: k,
             freeplay,
+            friction: elements.first().copied().unwrap_or(0.0),
             damping: c,
             tread_damping: kappa / v,
             moment_of_inertia: i_z,
@@ -245,7 +324,7 @@ impl Model<3> for Torsional {
     }
 
     fn linear_theory<T: Ring>(values: &[T]) -> Option<TorsionalTheory<T>> {
-        let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, _, _, kappa, freeplay] = values else {
+        let &[v, e, a, sigma, i_z, k, c, f_z, c_f_alpha, c_m_alpha, _, _, kappa, freeplay, ..] = values else {
             return None;
         };
         Some(TorsionalTheory {

@@ -19,6 +19,8 @@ const GONE: f64 = 1e-5;
 /// A motion has stopped when its rate has fallen to this fraction of the largest, or of what would take it through its own
 /// size within the horizon: one that starts beside where it comes to rest is never fast.
 const STILL: f64 = 1e-6;
+/// Where a motion stops that fades under friction is waited for so many times as long as one looks ahead.
+const PATIENCE: f64 = 10.0;
 
 /// What was seen.
 pub(crate) struct Look<S, const N: usize> {
@@ -57,7 +59,7 @@ pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
         }
         let (size, speed) = (size(scales, watch.motion.state()), size(scales, watch.motion.derivative()));
         fastest = fastest.max(speed);
-        end = if size < GONE * start {
+        end = if size < GONE * start && !held(&watch.motion) {
             Some(End::Dies)
         } else if size > 1e6 * start.max(1.0) {
             Some(End::Grows)
@@ -71,13 +73,44 @@ pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
     let end = match (end, destination) {
         (Some(end), _) => end,
         (None, Some(last)) if watch.motion.time() < last.start + 3.0 * last.period => {
+            let here = watch.motion.clone();
             let (end, cycle) = approach::shortcut(&mut watch, &cycles, most_steps)?;
             destination = Some(cycle);
-            end
+            if matches!(end, End::Dies) && here.system().sticks() {
+                watch.motion = here;
+                held_at_last(&mut watch.motion, scales, PATIENCE * horizon, most_steps)?
+            } else {
+                end
+            }
         }
         (None, _) => without_cycles(&watch.motion, scales, start, fastest),
     };
     Ok(Look { motion: watch.motion, cycles, turns: watch.turns, destination, end })
+}
+
+/// Whether friction holds the first state away from the middle.
+fn held<S: Gear<N>, const N: usize>(motion: &Integrator<S, N>) -> bool {
+    motion.system().sticks() && motion.state()[0] != 0.0 && motion.derivative()[0] == 0.0
+}
+
+/// The end of a motion that fades under friction: it is held somewhere, if only after a while.
+fn held_at_last<S: Gear<N>, const N: usize>(
+    motion: &mut Integrator<S, N>,
+    scales: &[StateVariable],
+    horizon: f64,
+    most_steps: u64,
+) -> Result<End> {
+    let mut fastest = size(scales, motion.derivative());
+    while motion.time() < horizon && motion.stats().steps < most_steps {
+        let time = motion.time();
+        motion.step(horizon).map_err(|failure| failed(failure, time))?;
+        let speed = size(scales, motion.derivative());
+        fastest = fastest.max(speed);
+        if held(motion) && speed < STILL * fastest {
+            return Ok(End::Stops);
+        }
+    }
+    Ok(End::Dies)
 }
 
 /// Largest state in units of its scale.
@@ -102,7 +135,7 @@ fn without_cycles<S: Gear<N>, const N: usize>(
     let (size, speed) = (size(scales, motion.state()), size(scales, motion.derivative()));
     if motion.state()[0].abs() > TRUSTED || (size > start && speed > 0.5 * fastest) {
         End::Grows
-    } else if size < start {
+    } else if size < start && !held(motion) {
         End::Dies
     } else {
         End::Stops

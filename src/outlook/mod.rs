@@ -32,7 +32,7 @@ pub enum Verdict {
     Rattles,
     /// Grows beyond the range of the model.
     Grows,
-    /// Is at rest, or comes to rest away from the middle.
+    /// Is at rest, or comes to rest away from the middle, as where dry friction holds the wheel.
     Rests,
 }
 
@@ -159,7 +159,7 @@ fn lives_on_freeplay<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, look: &Loo
     let mut motion = posed.motion(posed.run.horizon() / 20.0)?;
     motion.replace(system.into(), 0.0, *look.motion.state()).map_err(|failure| failed(failure, 0.0))?;
     let without = look_ahead(motion, posed.tables.description.state, posed.run.horizon(), posed.run.max_steps())?;
-    Ok(matches!(without.end, End::Dies))
+    Ok(matches!(without.end, End::Dies | End::Stops))
 }
 
 /// Amplitude, frequency and trend of the first cycle.

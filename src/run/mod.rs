@@ -72,7 +72,7 @@ impl Run {
         })
     }
 
-    /// With another value of the parameter `name`.
+    /// With another value of the parameter `name`; a dotted name reaches an element: `friction.moment`.
     ///
     /// # Errors
     /// An unknown name, or a value that is not valid for it.
@@ -178,7 +178,7 @@ impl Run {
         model::named(self.model).expect("a run is made for a listed model")
     }
 
-    /// Values of all parameters, in table order.
+    /// Values of all parameters, in table order, those of its elements after them.
     pub fn parameters(&self) -> &[f64] {
         &self.parameters
     }
@@ -285,6 +285,6 @@ impl Run {
     }
 
     fn table(&self) -> &'static [Parameter] {
-        self.description().parameters
+        self.description().table
     }
 }

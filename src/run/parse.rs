@@ -1,14 +1,29 @@
 //! Reading a run from untyped input.
 
 use super::{Fields, Run, Value};
-use crate::error::{Code, Error, Result, shown};
+use crate::{
+    error::{Code, Error, Result, shown},
+    parameter::Parameter,
+};
 
 /// The keys of a run.
-const KEYS: [&str; 11] =
-    ["model", "parameters", "initial", "duration", "method", "rtol", "atol", "step", "maxSteps", "times", "samples"];
+const KEYS: [&str; 12] = [
+    "model",
+    "parameters",
+    "friction",
+    "initial",
+    "duration",
+    "method",
+    "rtol",
+    "atol",
+    "step",
+    "maxSteps",
+    "times",
+    "samples",
+];
 
 /// Parts that a run may name as absent: none of the models has room for them.
-const ABSENT: [&str; 5] = ["damper", "tire", "friction", "control", "disturbance"];
+const ABSENT: [&str; 4] = ["damper", "tire", "control", "disturbance"];
 
 /// A number of a run: its key, what is allowed, what sets it.
 type NumberField = (&'static str, &'static str, fn(&mut Run, f64) -> Result<()>);
@@ -55,8 +70,12 @@ impl Run {
         let mut run = Run::of(text("model", model)?)?;
         if let Some(values) = given("parameters") {
             for (name, value) in present("parameters", values)? {
-                run.set_parameter(name, number_of(&run, name, value)?)?;
+                let table = run.description().parameters;
+                run.set_parameter(name, number_of(table, name, value)?)?;
             }
+        }
+        if let Some(values) = given("friction") {
+            run.read_element("friction", run.description().friction, values)?;
         }
         if let Some(values) = given("initial") {
             for (name, value) in present("initial", values)? {
@@ -86,6 +105,19 @@ impl Run {
 }
 
 impl Run {
+    /// Reads the values of an element, whose table has them by dotted names.
+    fn read_element(&mut self, element: &str, table: &'static [Parameter], values: &Value) -> Result<()> {
+        let known: Vec<&'static str> = table.iter().filter_map(|p| Some(p.name.split_once('.')?.1)).collect();
+        for (key, value) in present(element, values)? {
+            let Some(place) = known.iter().position(|name| *name == key) else {
+                return Err(Error::unknown(Code::UnknownKey, element, key, &known));
+            };
+            let name = table[place].name;
+            self.set_parameter(name, number_of(table, name, value)?)?;
+        }
+        Ok(())
+    }
+
     /// Reads a state: as many numbers as the model has states.
     ///
     /// # Errors
@@ -118,8 +150,7 @@ impl Run {
 }
 
 #[inline(never)]
-fn number_of(run: &Run, name: &str, value: &Value) -> Result<f64> {
-    let table = run.table();
+fn number_of(table: &[Parameter], name: &str, value: &Value) -> Result<f64> {
     let index = crate::parameter::parameter_index(table, name)?;
     match value {
         Value::Number(number) => Ok(*number),

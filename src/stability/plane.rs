@@ -43,7 +43,7 @@ impl Axis {
     /// # Errors
     /// An unknown parameter, ends that are not valid for it or do not ascend.
     fn of(run: &Run, parameter: &str, from: f64, to: f64) -> Result<Self> {
-        let table = run.description().parameters;
+        let table = run.description().table;
         let index = range::check(table, parameter, [from, to])?;
         if to <= from {
             return Err(Error::new(Code::NotAscending, "to", shown(to), format!("> {} (from)", shown(from))));
@@ -80,15 +80,15 @@ impl Plane {
     }
 
     /// The fields that a plane has.
-    pub(crate) const KEYS: [&'static str; 5] = ["model", "parameters", "x", "y", "linked"];
+    pub(crate) const KEYS: [&'static str; 6] = ["model", "parameters", "friction", "x", "y", "linked"];
 
     /// Reads a plane whose axes have `more` fields than parameter and ends; these come back for both.
     ///
     /// # Errors
     /// Anything but known keys with valid values; the error names the field.
     pub(crate) fn read_with<'a>(fields: &Fields<'a>, more: &[&'static str]) -> Result<(Self, [Fields<'a>; 2])> {
-        let given =
-            ["model", "parameters"].into_iter().filter_map(|key| Some((key.to_owned(), fields.value(key)?.clone())));
+        let given = ["model", "parameters", "friction"];
+        let given = given.into_iter().filter_map(|key| Some((key.to_owned(), fields.value(key)?.clone())));
         let run = Run::read(&Value::Record(given.collect()))?;
         let known = [&["parameter", "from", "to"], more].concat();
         let axis = |place: &'static str| {
@@ -142,7 +142,7 @@ impl Plane {
     }
 
     fn table(&self) -> &'static [Parameter] {
-        self.run.description().parameters
+        self.run.description().table
     }
 
     fn follow<T: Ring>(&self, values: &mut [T]) {

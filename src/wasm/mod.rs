@@ -14,4 +14,3 @@ mod output;
 mod plane;
 mod record;
 mod simulator;
-

@@ -107,6 +107,7 @@ pub(super) fn energy(energy: &Energy) -> JsValue {
         .number("tire", energy.tire)
         .number("damper", energy.damper)
         .number("treadWidth", energy.tread_width)
+        .number("friction", energy.friction)
         .number("kinetic", energy.kinetic)
         .number("spring", energy.spring)
         .number("stored", energy.stored)
@@ -121,6 +122,7 @@ pub(super) fn forces(forces: &Forces) -> JsValue {
         .truth("sideForceLimited", forces.side_force_limited)
         .number("springAngle", forces.spring_angle)
         .number("springTorque", forces.spring_torque)
+        .number("frictionTorque", forces.friction_torque)
         .done()
 }
 
@@ -130,6 +132,7 @@ pub(super) fn forces_along(columns: &ForceColumns) -> JsValue {
         .series("sideForce", &columns.side_force)
         .series("aligningMoment", &columns.aligning_moment)
         .series("springTorque", &columns.spring_torque)
+        .series("frictionTorque", &columns.friction_torque)
         .done()
 }
 

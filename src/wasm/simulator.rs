@@ -50,11 +50,11 @@ impl Simulator {
         self.with(|motion| Ok(series(&motion.state())))
     }
 
-    /// The parameters at the time shown, by name.
+    /// The parameters at the time shown, by name; those of elements by their dotted names.
     #[wasm_bindgen(unchecked_return_type = "Record<string, number>")]
     pub fn parameters(&self) -> std::result::Result<JsValue, JsValue> {
         self.with(|motion| {
-            let values = motion.description().parameters.iter().zip(motion.parameters());
+            let values = motion.description().table.iter().zip(motion.parameters());
             Ok(values.fold(Record::new(), |record, (parameter, value)| record.number(parameter.name, value)).done())
         })
     }

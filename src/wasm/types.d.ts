@@ -5,13 +5,22 @@ export interface Parameter { name: string; symbol: string; unit: string; default
 /** One state variable of a table. `scale`: its typical size. */
 export interface StateVariable { name: string; symbol: string; unit: string; scale: number; doc: string }
 /** A model's tables. */
-export interface Model { name: string; title: string; parameters: Parameter[]; state: StateVariable[] }
+export interface Model {
+  name: string;
+  title: string;
+  parameters: Parameter[];
+  /** of the dry friction that it takes, by the dotted names that reach them; empty where it takes none */
+  friction: Parameter[];
+  state: StateVariable[];
+}
 /** A method of integration. `order` 0: depends on the run. */
 export interface Method { name: string; title: string; order: number; adaptive: boolean; stiff: boolean; doc: string }
 /** A run; only `model` is required. SI units. */
 export interface Run {
   model: string;
   parameters?: Parameters | null;
+  /** dry friction about the steering axis, M_f in N m; absent, null and 0: none */
+  friction?: { moment?: number | null } | null;
   initial?: Record<string, number> | null;
   /** s; 2 */
   duration?: number | null;
@@ -269,6 +278,8 @@ export interface Axis { parameter: string; from: number; to: number; count?: num
 export interface Plane {
   model: string;
   parameters?: Parameters | null;
+  /** linear theory leaves it out */
+  friction?: { moment?: number | null } | null;
   x: Axis;
   y: Axis;
   linked?: { relaxationLength?: boolean | null; treadWidthMomentConstant?: boolean | null } | null;
@@ -406,7 +417,7 @@ export interface Jobs {
 }
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }
-/** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + stored. (A friction element would have its own field.) */
+/** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + friction + stored. */
 export interface Energy {
   duration: number;
   /** fed in by the tire: ∫(M_z − e F_y)ψ̇ dt */
@@ -415,6 +426,8 @@ export interface Energy {
   damper: number;
   /** taken by the tread's width: ∫(κ/v)ψ̇² dt */
   treadWidth: number;
+  /** taken by dry friction: ∫M_f|ψ̇| dt */
+  friction: number;
   /** rise of ½I_zψ̇² */
   kinetic: number;
   /** rise of ½k s² */
@@ -422,8 +435,8 @@ export interface Energy {
   /** kinetic + spring */
   stored: number;
 }
-/** Forces along a motion, row by row: rad, N, N m, N m. */
-export interface ForceColumns { slipAngle: Float64Array; sideForce: Float64Array; aligningMoment: Float64Array; springTorque: Float64Array }
+/** Forces along a motion, row by row: rad, N, N m, N m, N m. */
+export interface ForceColumns { slipAngle: Float64Array; sideForce: Float64Array; aligningMoment: Float64Array; springTorque: Float64Array; frictionTorque: Float64Array }
 /** What to draw of the force laws: angles in rad, each curve from −angle to +angle. */
 export interface Curves {
   /** below 90°; 20° */
@@ -465,6 +478,6 @@ export interface AtlasEntry {
 /** What the links between parameters give. */
 export interface LinkedParameters { relaxationLength: number; treadWidthMomentConstant: number }
 /** Forces at a state, SI. */
-export interface Forces { slipAngle: number; sideForce: number; aligningMoment: number; sideForceLimited: boolean; springAngle: number; springTorque: number }
+export interface Forces { slipAngle: number; sideForce: number; aligningMoment: number; sideForceLimited: boolean; springAngle: number; springTorque: number; frictionTorque: number }
 /** What every thrown `Error` carries besides its message. */
 export interface ErrorData { code: string; field: string; value: string; allowed: string; suggestion: string | null }

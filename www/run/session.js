@@ -6,7 +6,6 @@
  */
 
 import { isSameRecord } from '../store.js';
-import { isSameRecord } from '../store.js';
 import { spanFor } from './fit.js';
 import { Ghosts } from './ghosts.js';
 import { followed, linksBrokenBy, linksBrokenByPoint, withFollowers } from './links.js';

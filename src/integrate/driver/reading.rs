@@ -4,7 +4,7 @@ use super::{
     super::{dop853, dormand_prince, locate::bracketed, method::Scheme, rodas, runge_kutta4},
     Integrator,
 };
-use crate::model::System;
+use crate::{model::System, real::Dual};
 
 impl<S: System<N>, const N: usize> Integrator<S, N> {
     /// The state at time `t` within the last step, by its dense output.
@@ -25,6 +25,25 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.system.jacobian(t, self.from_mode, &x)
     }
 
+    /// What the switch `which` at the end of the last step, where the rate jumps from f⁻ to f⁺, makes of a neighbour's
+    /// distance d: d + (f⁺ − f⁻)(n·d)/(n·f⁻), with the switch's gradient n. Gives f⁺ − f⁻ and n/(n·f⁻); nothing where the
+    /// rate goes on as it was, but for rounding.
+    ///
+    /// # References
+    /// R. I. Leine, H. Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, section 7.3.
+    pub(crate) fn jump(&self, which: usize) -> Option<([f64; N], [f64; N])> {
+        const ROUNDING: f64 = 1e-9;
+        let before = self.system.rate(self.t, self.from_mode, &self.x);
+        let jump: [f64; N] = std::array::from_fn(|i| self.f[i] - before[i]);
+        if (0..N).all(|i| jump[i].abs() <= ROUNDING * (self.f[i].abs() + before[i].abs())) {
+            return None;
+        }
+        let seeded: [Dual<N>; N] = std::array::from_fn(|i| Dual::variable(self.x[i], i));
+        let normal = self.system.switch(which, Dual::from(self.t), self.from_mode, &seeded)?.slope;
+        let speed: f64 = (0..N).map(|i| normal[i] * before[i]).sum();
+        Some((jump, normal.map(|entry| entry / speed)))
+    }
+
     /// Whether the motion at time `t` within the last step, and its rate there, are finite numbers, and the rate that the
     /// next step begins with is that of the equations.
     pub(crate) fn is_sound_at(&mut self, t: f64) -> bool {
@@ -33,8 +52,12 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         x.iter().chain(rates.as_flattened()).all(|value| value.is_finite()) && self.f == rates[1]
     }
 
-    /// The turning point of `component` within the last step: its time and value, where its rate changes sign.
+    /// The turning point of `component` within the last step: its time and value, where its rate changes sign, or becomes
+    /// zero and stays so.
     pub fn turning_point(&mut self, component: usize) -> Option<(f64, f64)> {
+        if self.f[component] == 0.0 && self.start_rate[component] != 0.0 && self.length > 0.0 {
+            return Some((self.t, self.x[component]));
+        }
         if self.start_rate[component] * self.f[component] >= 0.0 || self.length == 0.0 {
             return None;
         }

@@ -124,7 +124,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             return Err(Failure::Diverged);
         }
         self.stats.events += 1;
-        self.mode = self.system.cross(which, self.mode);
+        self.mode = self.system.cross(which, self.mode, &mut self.x);
         self.f = self.system.rate(self.t, self.mode, &self.x);
         self.stats.evaluations += 1;
         self.look_at_switches();
