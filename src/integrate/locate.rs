@@ -8,6 +8,19 @@ use super::linear::Factors;
 /// that is linear in the state, as the dense output is of degree 7.
 pub(super) const NODES: usize = 8;
 
+/// A switch that has just been passed, and does not fall from the start on, must get below zero by this part of its largest value
+/// in the step: where it starts flat, the dense output cannot tell.
+const TOUCH: f64 = 1e-3;
+
+/// What is known of a switch that has just been passed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fresh {
+    /// Its slope at the start, per step.
+    pub slope: f64,
+    /// What its value in the step may be wrong by.
+    pub error: f64,
+}
+
 /// A switch's value and slope (per step) at the start and the end of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ends {
@@ -114,22 +127,35 @@ impl Locator {
 
     /// The first fall through zero of `switch`, a function of θ, or `None`.
     ///
-    /// A dip below zero that rounding could have made does not count, nor does the start of a `fresh` switch. `size` is
-    /// the size of the terms whose difference the switch is.
-    pub fn first(&self, fresh: bool, size: f64, switch: impl Fn(f64) -> f64) -> Option<f64> {
+    /// A dip below zero that rounding could have made does not count, nor does the start of a `fresh` switch, one that has just
+    /// been passed: of that its slope there is known, as not every dense output starts with the very slope of the equations, and
+    /// its error. `size` is the size of the terms whose difference the switch is.
+    pub fn first(&self, fresh: Option<Fresh>, size: f64, switch: impl Fn(f64) -> f64) -> Option<f64> {
         let values: [f64; NODES] = std::array::from_fn(|i| switch(self.nodes[i]));
         let largest = values.iter().fold(size, |most, value| most.max(value.abs()));
         if !values.iter().all(|value| value.is_finite()) {
             return None;
+        }
+        if let Some(Fresh { error, .. }) = fresh
+            && values.iter().all(|value| value.abs() <= error && (size == 0.0 || value.abs() <= TOUCH * size))
+        {
+            return None; // it is still where it was passed, for all that is known
         }
         let noise = 64.0 * f64::EPSILON * largest;
         let mut course: [f64; NODES] =
             std::array::from_fn(|i| (0..NODES).map(|j| self.to_bernstein[i][j] * values[j]).sum());
         course[0] = values[0];
         course[NODES - 1] = values[NODES - 1];
-        if fresh || course[0].abs() <= noise {
+        if fresh.is_some() || course[0].abs() <= noise {
             course[0] = 0.0;
-            return first_fall_from_zero(&course, noise, &switch);
+            let mut touch = [noise; 2];
+            if let Some(Fresh { slope, error }) = fresh {
+                course[1] = slope / (NODES - 1) as f64;
+                let most = TOUCH * largest;
+                let least = error.min(most).max(noise);
+                touch = [least, if slope > -error { most.max(noise) } else { least }];
+            }
+            return first_fall_from_zero(&course, touch, noise, &switch);
         }
         if course[0] < 0.0 {
             return Some(0.0);
@@ -139,32 +165,34 @@ impl Locator {
     }
 }
 
-/// As [`Locator::first`], for a start on the boundary: what counts is the course divided by θ.
-fn first_fall_from_zero(course: &[f64; NODES], noise: f64, switch: &dyn Fn(f64) -> f64) -> Option<f64> {
-    let divided: [f64; NODES - 1] = std::array::from_fn(|i| course[i + 1] * (NODES - 1) as f64 / (i + 1) as f64);
-    if divided[0] > 0.0 {
-        return first_fall(&divided, 0.0, 1.0, &|theta| if theta > 0.0 { switch(theta) } else { divided[0] })
-            .filter(|&theta| theta == 1.0 || falls_below(&split(course, theta).1, noise));
-    }
-    // It starts flat, or falls: where it comes up again without having been below zero by more than rounding, it has only
-    // started flat, and may still fall later.
-    let rise = first_fall(&divided.map(|part| -part), 0.0, 1.0, &|theta| {
-        if theta > 0.0 { -switch(theta) } else { -divided[0] }
-    });
-    let fell = |part: &[f64; NODES]| dips_below(part, -noise, 20);
-    match rise {
-        Some(rise) if rise < 1.0 => {
-            let (dip, mut rest) = split(course, rise);
-            if fell(&dip) {
-                return Some(0.0);
-            }
-            rest[0] = 0.0;
-            let ahead = |theta: f64| switch(rise + theta * (1.0 - rise));
-            let fall =
-                if rest[1] > 0.0 { first_fall_from_zero(&rest, noise, &ahead) } else { fell(&rest).then_some(0.0) };
-            fall.map(|theta| rise + theta * (1.0 - rise))
+/// As [`Locator::first`], for a start on the boundary. What counts is where the course leaves it: up by `touch[0]`, and it may
+/// fall from there; or down by `touch[1]`, and it has fallen at once.
+fn first_fall_from_zero(
+    course: &[f64; NODES],
+    touch: [f64; 2],
+    noise: f64,
+    switch: &dyn Fn(f64) -> f64,
+) -> Option<f64> {
+    let leaves = |sign: f64, touch: f64| {
+        first_fall(&course.map(|c| touch - sign * c), 0.0, 1.0, &|theta| touch - sign * switch(theta))
+    };
+    let (up, down) = (leaves(1.0, touch[0]).filter(|up| *up < 1.0), leaves(-1.0, touch[1]));
+    match up {
+        Some(up) if down.is_none_or(|down| up < down) => {
+            let rest = split(course, up).1;
+            first_fall(&rest, up, 1.0, &|theta| switch(theta))
+                .filter(|&theta| theta == 1.0 || falls_below(&split(course, theta).1, noise))
         }
-        _ => falls_below(course, noise).then_some(0.0),
+        // It has hardly been above, if at all: back from where it is below to where it comes from.
+        _ => match down {
+            Some(down) => {
+                let mut back = split(course, down).0.map(|c| -c);
+                back.reverse();
+                back[0] = touch[1];
+                Some(down * (1.0 - first_fall(&back, 0.0, 1.0, &|theta| -switch(down * (1.0 - theta))).unwrap_or(1.0)))
+            }
+            None => falls_below(course, noise).then_some(0.0),
+        },
     }
 }
 
@@ -263,7 +291,8 @@ mod tests {
     use super::*;
 
     fn first(fresh: bool, switch: impl Fn(f64) -> f64) -> Option<f64> {
-        Locator::get().first(fresh, 0.0, switch)
+        let slope = (switch(1e-7) - switch(0.0)) / 1e-7;
+        Locator::get().first(fresh.then_some(Fresh { slope, error: 1e-10 }), 0.0, switch)
     }
 
     #[test]
@@ -293,6 +322,18 @@ mod tests {
         assert_eq!(first(true, |t| t - 1e-12), None, "rounding at the start");
         let back = first(true, |t| t * (0.25 - t)).unwrap();
         assert!((back - 0.25).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_flat_start_may_fall_later() {
+        // As a wheel that is let go: rounding has its slope at the start fall or rise a little.
+        for rounding in [0.0, -1e-14, 1e-14] {
+            let found = first(true, |t| t * (rounding + t * (0.7 - t))).unwrap();
+            assert!((found - 0.7).abs() < 1e-12, "{found}");
+            assert_eq!(first(true, |t| t * (rounding + t * (1.1 - t))), None);
+        }
+        assert_eq!(first(true, |t| t * (-1e-3 + t)), Some(0.0), "this one falls");
+        assert_eq!(first(true, |t| -t * t), Some(0.0));
     }
 
     #[test]

@@ -16,7 +16,7 @@ use crate::{
         tire_law::{PiecewiseTireLaw, SteeringMoment, TireLaw},
     },
     parameter::{Parameter, StateVariable},
-    real::{Number, Real},
+    real::{Dual, Number, Real},
     stability::{Ring, TorsionalTheory},
 };
 
@@ -164,6 +164,23 @@ impl Torsional {
         -(self.spring.torque(x[PSI], mode.sides(FREEPLAY)) - limited) + self.tire.curve(x[Y], mode.sides(SIDE_FORCE))
     }
 
+    /// What the friction does after STOP or RELEASE at `x`.
+    fn rubbing_after(&self, which: usize, mode: Mode, x: &mut [f64; 3]) -> Rubbing {
+        if which == STOP {
+            // It was slowed down: what it can do now is stick, or turn back.
+            let (load, forward) = (self.load(mode, x), Self::rubs(mode, Rubbing::Forward));
+            let onward = (load > 0.0) == forward;
+            return if onward { Rubbing::Sticking } else { self.friction.at(0.0, load) };
+        }
+        // To rounding the load is what the friction can hold: by less, and the wheel would be slowed down as it starts.
+        let Dual { value, slope: [slope] } = self.load(mode, &[x[PSI].into(), 0.0.into(), Dual::variable(x[Y], 0)]);
+        let excess = value.abs() - self.friction.moment();
+        if slope != 0.0 {
+            x[Y] -= excess.copysign(excess * value) / slope;
+        }
+        self.friction.released(value)
+    }
+
     /// What the friction does in a mode.
     #[inline(always)]
     fn rubs(mode: Mode, how: Rubbing) -> bool {
@@ -239,9 +256,7 @@ impl System<3> for Torsional {
     fn cross(&self, which: usize, mode: Mode, x: &mut [f64; 3]) -> Mode {
         if which == STOP || which == RELEASE {
             x[PSI_RATE] = 0.0;
-            let load = self.load(mode, x);
-            let rubbing = if which == STOP { self.friction.at(0.0, load) } else { self.friction.released(load) };
-            return mode.with(FRICTION, rubbing as u32);
+            return mode.with(FRICTION, self.rubbing_after(which, mode, x) as u32);
         }
         let (kink, boundary) = kink_and_boundary(which);
         mode.with_side(kink, mode.side(kink).across(boundary))

@@ -1,7 +1,10 @@
 //! Switches: where a step meets one, and how it stops there.
 
 use super::{
-    super::{locate::Ends, stages::Attempt},
+    super::{
+        locate::{Ends, Fresh},
+        stages::Attempt,
+    },
     Failure, Integrator, Outcome, root_mean_square,
 };
 use crate::{model::System, real::Dual};
@@ -98,13 +101,28 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             };
             // At rest a switch is what its quantity is compared with.
             let size = self.system.switch(which, self.from_t, self.mode, &[0.0; N]).map_or(0.0, f64::abs);
-            if let Some(theta) = self.locator.first(fresh >> which & 1 == 1, size, value)
+            let fresh = (fresh >> which & 1 == 1).then(|| self.passed(which));
+            if let Some(theta) = self.locator.first(fresh, size, value)
                 && first.is_none_or(|(_, earliest)| theta < earliest)
             {
                 first = Some((which, theta));
             }
         }
         first
+    }
+
+    /// What is known of a switch that was passed at the start of the last step.
+    fn passed(&self, which: usize) -> Fresh {
+        let seeded: [Dual<N>; N] = std::array::from_fn(|i| Dual::variable(self.from_x[i], i));
+        let along = std::array::from_fn(|i| Dual { value: self.from_x[i], slope: [self.start_rate[i]] });
+        let slope = self.system.switch(which, Dual::variable(self.from_t, 0), self.mode, &along);
+        let gradient = self.system.switch(which, Dual::from(self.from_t), self.mode, &seeded);
+        // Within a step the dense output is somewhat less true than at its end.
+        let scale = self.scale(&self.from_x).map(|scale| 0.1 * scale);
+        Fresh {
+            slope: slope.map_or(0.0, |switch| self.length * switch.slope[0]),
+            error: gradient.map_or(0.0, |switch| (0..N).map(|i| switch.slope[i].abs() / scale[i]).sum()),
+        }
     }
 
     /// Takes the step again up to the switch, with the full order of the scheme, and changes the mode there.
@@ -131,6 +149,9 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         for other in 0..S::SWITCHES {
             if self.switches.active >> other & 1 == 0 || self.switches.value[other] > 0.0 {
                 self.fresh &= !(1 << other);
+            } else if self.switches.value[other] == 0.0 {
+                // As of a wheel that is let go: it is where it would stop.
+                self.fresh |= 1 << other;
             }
         }
         self.fresh |= 1 << which;
@@ -170,6 +191,8 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
                 Some(Dual { value, slope: [slope] }) if slope < 0.0 => -value / slope,
                 _ => 0.0,
             };
+            // A switch that hardly changes any more is not sought beyond the step.
+            let delta = if delta > longest - h { longest - h } else { delta };
             let bend: [f64; N] = std::array::from_fn(|i| {
                 let mean = (end[i] - self.from_x[i]) / h;
                 0.5 * delta * (delta / h) * (2.0 * self.start_rate[i] + 4.0 * rate[i] - 6.0 * mean)
