@@ -343,7 +343,7 @@ fn a_run_names_its_friction() {
     assert_eq!(read(Value::Number(3.0)).unwrap_err().code, Code::WrongType);
     assert_eq!(read(record(&[("moment", Value::Text("3".into()))])).unwrap_err().code, Code::WrongType);
     let unknown = read(record(&[("momemt", Value::Number(3.0))])).unwrap_err();
-    assert_eq!((unknown.code, unknown.suggestion), (Code::UnknownKey, Some("moment".into())));
+    assert_eq!((unknown.code, unknown.suggestion), (Code::UnknownKey, Some("moment")));
     // The dotted name is one of the whole run's, not of its model's parameters.
     let parameters = record(&[("friction.moment", Value::Number(3.0))]);
     let run = record(&[("model", Value::Text("torsional".into())), ("parameters", parameters)]);

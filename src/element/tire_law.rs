@@ -181,6 +181,9 @@ fn slip_ratio(angle: f64) -> f64 {
     if angle < FRAC_PI_2 { angle.tan() } else { f64::INFINITY }
 }
 
+/// Bits of sides, of no law's own, for which a [`SteeringMoment`] is none.
+pub const NO_MOMENT: u32 = 15;
+
 /// What a tire does to a wheel that turns about an axis: (M_z − e F_y)/I_z, without a call to the mathematical library.
 ///
 /// α enters only through y/σ, which is small where the law still curves: on each pair of sides the moment is a constant
@@ -210,7 +213,7 @@ impl SteeringMoment {
     /// of inertia I_z \[kg m²\], for a tire of relaxation length σ \[m\].
     pub fn new(law: TireLaw, caster_length: f64, relaxation_length: f64, moment_of_inertia: f64) -> Self {
         let (slip_ratio, mobility) = (1.0 / relaxation_length, 1.0 / moment_of_inertia);
-        let pieces = match law {
+        let mut pieces = match law {
             TireLaw::Piecewise(law) => piecewise(law, caster_length, relaxation_length, mobility),
             TireLaw::Linear(law) => {
                 let slope =
@@ -218,6 +221,7 @@ impl SteeringMoment {
                 [Piece { constant: 0.0, curve: OddPolynomial::line(slope) }; 16]
             }
         };
+        pieces[NO_MOMENT as usize] = Piece { constant: 0.0, curve: OddPolynomial::zero() };
         Self { law, caster_length, slip_ratio, mobility, pieces }
     }
 

@@ -130,7 +130,7 @@ impl Locator {
     /// A dip below zero that rounding could have made does not count, nor does the start of a `fresh` switch, one that has just
     /// been passed: of that its slope there is known, as not every dense output starts with the very slope of the equations, and
     /// its error. `size` is the size of the terms whose difference the switch is.
-    pub fn first(&self, fresh: Option<Fresh>, size: f64, switch: impl Fn(f64) -> f64) -> Option<f64> {
+    pub fn first(&self, fresh: Option<Fresh>, size: f64, switch: &dyn Fn(f64) -> f64) -> Option<f64> {
         let values: [f64; NODES] = std::array::from_fn(|i| switch(self.nodes[i]));
         let largest = values.iter().fold(size, |most, value| most.max(value.abs()));
         if !values.iter().all(|value| value.is_finite()) {
@@ -155,12 +155,12 @@ impl Locator {
                 let least = error.min(most).max(noise);
                 touch = [least, if slope > -error { most.max(noise) } else { least }];
             }
-            return first_fall_from_zero(&course, touch, noise, &switch);
+            return first_fall_from_zero(&course, touch, noise, switch);
         }
         if course[0] < 0.0 {
             return Some(0.0);
         }
-        first_fall(&course, 0.0, 1.0, &switch)
+        first_fall(&course, 0.0, 1.0, switch)
             .filter(|&theta| theta == 1.0 || falls_below(&split(&course, theta).1, noise))
     }
 }
@@ -180,7 +180,7 @@ fn first_fall_from_zero(
     match up {
         Some(up) if down.is_none_or(|down| up < down) => {
             let rest = split(course, up).1;
-            first_fall(&rest, up, 1.0, &|theta| switch(theta))
+            first_fall(&rest, up, 1.0, switch)
                 .filter(|&theta| theta == 1.0 || falls_below(&split(course, theta).1, noise))
         }
         // It has hardly been above, if at all: back from where it is below to where it comes from.
@@ -197,16 +197,16 @@ fn first_fall_from_zero(
 }
 
 /// Whether the course really gets below zero: at its end at all, on its way by more than noise.
-fn falls_below<const M: usize>(course: &[f64; M], noise: f64) -> bool {
-    course[M - 1] < 0.0 || dips_below(course, -noise, 20)
+fn falls_below(course: &[f64; NODES], noise: f64) -> bool {
+    course[NODES - 1] < 0.0 || dips_below(course, -noise, 20)
 }
 
 /// Whether a polynomial in Bernstein form gets below `level`: its coefficients bound it, its ends are on it.
-fn dips_below<const M: usize>(course: &[f64; M], level: f64, halvings: u32) -> bool {
+fn dips_below(course: &[f64; NODES], level: f64, halvings: u32) -> bool {
     if course.iter().all(|&c| c >= level) {
         return false;
     }
-    if course[0] < level || course[M - 1] < level {
+    if course[0] < level || course[NODES - 1] < level {
         return true;
     }
     let (first, second) = split(course, 0.5);
@@ -217,7 +217,7 @@ fn dips_below<const M: usize>(course: &[f64; M], level: f64, halvings: u32) -> b
 ///
 /// Coefficients that are all positive prove that there is none; one change of sign proves that there is one, which is
 /// then bracketed; otherwise the interval is halved.
-fn first_fall<const M: usize>(course: &[f64; M], low: f64, high: f64, switch: &impl Fn(f64) -> f64) -> Option<f64> {
+fn first_fall(course: &[f64; NODES], low: f64, high: f64, switch: &dyn Fn(f64) -> f64) -> Option<f64> {
     if course.iter().all(|&c| c > 0.0) {
         return None;
     }
@@ -237,7 +237,7 @@ fn first_fall<const M: usize>(course: &[f64; M], low: f64, high: f64, switch: &i
 }
 
 /// Root of `switch` between `low` (positive) and `high` (not): regula falsi of the Illinois kind, to rounding.
-pub(super) fn bracketed(mut low: f64, mut high: f64, switch: &impl Fn(f64) -> f64) -> f64 {
+pub(super) fn bracketed(mut low: f64, mut high: f64, switch: &dyn Fn(f64) -> f64) -> f64 {
     let (mut at_low, mut at_high) = (switch(low), switch(high));
     if at_low <= 0.0 {
         return low;
@@ -269,13 +269,14 @@ pub(super) fn bracketed(mut low: f64, mut high: f64, switch: &impl Fn(f64) -> f6
 }
 
 /// De Casteljau's subdivision at `theta`.
-fn split<const M: usize>(course: &[f64; M], theta: f64) -> ([f64; M], [f64; M]) {
+#[inline(never)]
+fn split(course: &[f64; NODES], theta: f64) -> ([f64; NODES], [f64; NODES]) {
     let mut work = *course;
-    let (mut first, mut second) = ([0.0; M], [0.0; M]);
-    for level in 0..M {
+    let (mut first, mut second) = ([0.0; NODES], [0.0; NODES]);
+    for level in 0..NODES {
         first[level] = work[0];
-        second[M - 1 - level] = work[M - 1 - level];
-        for i in 0..M - 1 - level {
+        second[NODES - 1 - level] = work[NODES - 1 - level];
+        for i in 0..NODES - 1 - level {
             work[i] = (1.0 - theta) * work[i] + theta * work[i + 1];
         }
     }
@@ -292,7 +293,7 @@ mod tests {
 
     fn first(fresh: bool, switch: impl Fn(f64) -> f64) -> Option<f64> {
         let slope = (switch(1e-7) - switch(0.0)) / 1e-7;
-        Locator::get().first(fresh.then_some(Fresh { slope, error: 1e-10 }), 0.0, switch)
+        Locator::get().first(fresh.then_some(Fresh { slope, error: 1e-10 }), 0.0, &switch)
     }
 
     #[test]

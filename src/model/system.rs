@@ -51,6 +51,9 @@ pub trait System<const N: usize>: Clone {
     /// How many switches there are (two a symmetric kink).
     const SWITCHES: usize = 0;
 
+    /// How many of them, the last ones, are of an element that is seldom there: they are looked at where [`System::minds`].
+    const SELDOM: usize = 0;
+
     /// Names of the kinds of events, as `event_kind` counts them.
     const EVENT_KINDS: &'static [&'static str] = &[];
 
@@ -75,6 +78,13 @@ pub trait System<const N: usize>: Clone {
     fn switch<R: Real>(&self, which: usize, t: R, mode: Mode, x: &[R; N]) -> Option<R> {
         let _ = (which, t, mode, x);
         None
+    }
+
+    /// Whether the last [`System::SELDOM`] switches can apply in this mode.
+    #[inline(always)]
+    fn minds(&self, mode: Mode) -> bool {
+        let _ = mode;
+        true
     }
 
     /// The mode after switch `which`, which has fallen through 0 at `x`. Where a law goes on from a definite place (a wheel

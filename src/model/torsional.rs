@@ -13,7 +13,7 @@ use crate::{
         Boundary, Side,
         freeplay::Spring,
         friction::{DryFriction, Rubbing, with_friction},
-        tire_law::{PiecewiseTireLaw, SteeringMoment, TireLaw},
+        tire_law::{NO_MOMENT, PiecewiseTireLaw, SteeringMoment, TireLaw},
     },
     parameter::{Parameter, StateVariable},
     real::{Dual, Number, Real},
@@ -33,6 +33,8 @@ const ALIGNING: usize = 1;
 // So are the spring's side and what the friction does.
 const FREEPLAY: usize = 2;
 const FRICTION: usize = 3;
+// All of these bits where the friction holds the wheel: every moment is then looked up as none.
+const HELD: usize = 4;
 
 // Two switches a kink, and those of the friction: it comes to rest, and it can no longer hold.
 const STOP: usize = 6;
@@ -157,28 +159,48 @@ impl Torsional {
         }
     }
 
-    /// The sum of all moments but the friction's on a wheel that does not turn, over I_z.
-    #[inline(always)]
-    fn load<R: Real>(&self, mode: Mode, x: &[R; 3]) -> R {
+    /// The sum of all moments but the friction's on a wheel that does not turn, over I_z; and its slope in y.
+    ///
+    /// Asked for seldom, and never in a gear without friction: one copy of it serves all kinds of numbers.
+    #[inline(never)]
+    fn load(&self, mode: Mode, psi: f64, y: f64) -> (f64, f64) {
         let limited = self.tire.constant(mode.sides(SIDE_FORCE));
-        -(self.spring.torque(x[PSI], mode.sides(FREEPLAY)) - limited) + self.tire.curve(x[Y], mode.sides(SIDE_FORCE))
+        let tire = self.tire.curve(Dual::<1>::variable(y, 0), mode.sides(SIDE_FORCE));
+        (-(self.spring.torque(psi, mode.sides(FREEPLAY)) - limited) + tire.value, tire.slope[0])
     }
 
-    /// What the friction does after STOP or RELEASE at `x`.
-    fn rubbing_after(&self, which: usize, mode: Mode, x: &mut [f64; 3]) -> Rubbing {
-        if which == STOP {
-            // It was slowed down: what it can do now is stick, or turn back.
-            let (load, forward) = (self.load(mode, x), Self::rubs(mode, Rubbing::Forward));
-            let onward = (load > 0.0) == forward;
-            return if onward { Rubbing::Sticking } else { self.friction.at(0.0, load) };
+    /// STOP or RELEASE of a wheel with friction: not worth its code wherever switches are looked at.
+    #[inline(never)]
+    fn friction_switch<R: Real>(&self, which: usize, mode: Mode, x: &[R; 3]) -> Option<R> {
+        match which {
+            STOP if Self::rubs(mode, Rubbing::Forward) => Some(x[PSI_RATE]),
+            STOP if Self::rubs(mode, Rubbing::Backward) => Some(-x[PSI_RATE]),
+            RELEASE if Self::rubs(mode, Rubbing::Sticking) => {
+                let (psi, y) = (x[PSI].value(), x[Y].value());
+                let (load, slope) = self.load(mode, psi, y);
+                let (stiffness, _) = self.spring.lines()[(mode.sides(FREEPLAY) & 3) as usize];
+                let load = (x[Y] - y) * slope - (x[PSI] - psi) * stiffness + load;
+                Some(self.friction.margin(load))
+            }
+            _ => None,
         }
-        // To rounding the load is what the friction can hold: by less, and the wheel would be slowed down as it starts.
-        let Dual { value, slope: [slope] } = self.load(mode, &[x[PSI].into(), 0.0.into(), Dual::variable(x[Y], 0)]);
-        let excess = value.abs() - self.friction.moment();
-        if slope != 0.0 {
-            x[Y] -= excess.copysign(excess * value) / slope;
+    }
+
+    /// Past STOP or RELEASE.
+    #[inline(never)]
+    fn cross_friction(&self, which: usize, mode: Mode, x: &mut [f64; 3]) -> Mode {
+        x[PSI_RATE] = 0.0;
+        let (load, slope) = self.load(mode, x[PSI], x[Y]);
+        if which == RELEASE {
+            // To rounding the load is what the friction can hold: by less, and the wheel would be slowed down as it starts.
+            if slope != 0.0 {
+                x[Y] -= (load.abs() - self.friction.moment()) * load.signum() / slope;
+            }
+            return rubbing(mode, self.friction.released(load));
         }
-        self.friction.released(value)
+        // It was slowed down: what it can do now is stick, or turn back.
+        let onward = (load > 0.0) == Self::rubs(mode, Rubbing::Forward);
+        rubbing(mode, if onward { Rubbing::Sticking } else { self.friction.at(0.0, load) })
     }
 
     /// What the friction does in a mode.
@@ -188,11 +210,20 @@ impl Torsional {
     }
 }
 
+/// The mode with the friction at work like this.
+fn rubbing(mode: Mode, how: Rubbing) -> Mode {
+    let held = if how == Rubbing::Sticking { NO_MOMENT } else { 0 };
+    mode.with(FRICTION, how as u32).with(HELD, held & 3).with(HELD + 1, held >> 2)
+}
+
 /// See [`Torsional::lines`].
 fn lines(spring: &Spring, friction: &DryFriction) -> [(f64, f64); 16] {
     std::array::from_fn(|bits| {
         let (stiffness, offset) = spring.lines()[bits & 3];
         let rubbing = bits >> 2;
+        if rubbing == Rubbing::Sticking as usize {
+            return (0.0, 0.0);
+        }
         let torque = if rubbing == Rubbing::Forward as usize {
             friction.moment()
         } else if rubbing == Rubbing::Backward as usize {
@@ -206,20 +237,17 @@ fn lines(spring: &Spring, friction: &DryFriction) -> [(f64, f64); 16] {
 
 impl System<3> for Torsional {
     const SWITCHES: usize = 8;
+    const SELDOM: usize = 2;
     const EVENT_KINDS: &'static [&'static str] =
         &["side-force-limit", "aligning-moment-limit", "freeplay", "friction-stop", "friction-release"];
 
     #[inline(always)]
     fn rate<R: Real>(&self, _t: R, mode: Mode, x: &[R; 3]) -> [R; 3] {
-        if Self::rubs(mode, Rubbing::Sticking) {
-            let still = R::from(0.0);
-            return [still, still, x[PSI] * self.motion.velocity - x[Y] * self.motion.relaxation_rate];
-        }
         // All moments over I_z. A side force at its limit is constant: it is there as early as the spring's.
-        let limited = self.tire.constant(mode.sides(SIDE_FORCE));
+        let sides = mode.sides(SIDE_FORCE) | mode.sides(HELD);
         let (stiffness, offset) = self.lines[(mode.sides(FREEPLAY) & 15) as usize];
-        let spring = x[PSI] * stiffness + offset - limited;
-        self.motion.rate(x, spring, self.tire.curve(x[Y], mode.sides(SIDE_FORCE)))
+        let spring_and_friction = x[PSI] * stiffness + offset;
+        self.motion.rate(x, spring_and_friction - self.tire.constant(sides), self.tire.curve(x[Y], sides))
     }
 
     fn mode(&self, t: f64, x: &[f64; 3]) -> Mode {
@@ -231,17 +259,17 @@ impl System<3> for Torsional {
         if self.spring.freeplay() > 0.0 {
             mode = mode.with_side(FREEPLAY, Side::of(x[PSI], x[PSI_RATE], self.spring.freeplay()));
         }
-        mode.with(FRICTION, self.friction.at(x[PSI_RATE], self.load(mode, x)) as u32)
+        if self.friction.moment() > 0.0 {
+            let (load, _) = self.load(mode, x[PSI], x[Y]);
+            mode = rubbing(mode, self.friction.at(x[PSI_RATE], load));
+        }
+        mode
     }
 
     #[inline(always)]
     fn switch<R: Real>(&self, which: usize, _t: R, mode: Mode, x: &[R; 3]) -> Option<R> {
-        match which {
-            STOP if Self::rubs(mode, Rubbing::Forward) => return Some(x[PSI_RATE]),
-            STOP if Self::rubs(mode, Rubbing::Backward) => return Some(-x[PSI_RATE]),
-            RELEASE if Self::rubs(mode, Rubbing::Sticking) => return Some(self.friction.margin(self.load(mode, x))),
-            STOP | RELEASE => return None,
-            _ => {}
+        if which >= STOP {
+            return if mode.sides(FRICTION) & 3 == 0 { None } else { self.friction_switch(which, mode, x) };
         }
         let (kink, boundary) = kink_and_boundary(which);
         let (quantity, limit) = match kink {
@@ -253,10 +281,14 @@ impl System<3> for Torsional {
         mode.side(kink).margin(boundary, quantity, limit)
     }
 
+    #[inline(always)]
+    fn minds(&self, mode: Mode) -> bool {
+        !Self::rubs(mode, Rubbing::Absent)
+    }
+
     fn cross(&self, which: usize, mode: Mode, x: &mut [f64; 3]) -> Mode {
-        if which == STOP || which == RELEASE {
-            x[PSI_RATE] = 0.0;
-            return mode.with(FRICTION, self.rubbing_after(which, mode, x) as u32);
+        if which >= STOP {
+            return self.cross_friction(which, mode, x);
         }
         let (kink, boundary) = kink_and_boundary(which);
         mode.with_side(kink, mode.side(kink).across(boundary))

@@ -19,7 +19,7 @@ const GONE: f64 = 1e-5;
 /// A motion has stopped when its rate has fallen to this fraction of the largest, or of what would take it through its own
 /// size within the horizon: one that starts beside where it comes to rest is never fast.
 const STILL: f64 = 1e-6;
-/// Where a motion stops that fades under friction is waited for so many times as long as one looks ahead.
+/// Where friction holds a motion cannot be foreseen by a cut: one looks so many times as far.
 const PATIENCE: f64 = 10.0;
 
 /// What was seen.
@@ -42,6 +42,7 @@ pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
     horizon: f64,
     most_steps: u64,
 ) -> Result<Look<S, N>> {
+    let horizon = if motion.system().sticks() { PATIENCE * horizon } else { horizon };
     let mut watch = Watch::new(motion);
     let mut cycles: Vec<Cycle<N>> = Vec::new();
     let start = size(scales, watch.motion.state());
@@ -73,15 +74,9 @@ pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
     let end = match (end, destination) {
         (Some(end), _) => end,
         (None, Some(last)) if watch.motion.time() < last.start + 3.0 * last.period => {
-            let here = watch.motion.clone();
             let (end, cycle) = approach::shortcut(&mut watch, &cycles, most_steps)?;
             destination = Some(cycle);
-            if matches!(end, End::Dies) && here.system().sticks() {
-                watch.motion = here;
-                held_at_last(&mut watch.motion, scales, PATIENCE * horizon, most_steps)?
-            } else {
-                end
-            }
+            end
         }
         (None, _) => without_cycles(&watch.motion, scales, start, fastest),
     };
@@ -91,26 +86,6 @@ pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
 /// Whether friction holds the first state away from the middle.
 fn held<S: Gear<N>, const N: usize>(motion: &Integrator<S, N>) -> bool {
     motion.system().sticks() && motion.state()[0] != 0.0 && motion.derivative()[0] == 0.0
-}
-
-/// The end of a motion that fades under friction: it is held somewhere, if only after a while.
-fn held_at_last<S: Gear<N>, const N: usize>(
-    motion: &mut Integrator<S, N>,
-    scales: &[StateVariable],
-    horizon: f64,
-    most_steps: u64,
-) -> Result<End> {
-    let mut fastest = size(scales, motion.derivative());
-    while motion.time() < horizon && motion.stats().steps < most_steps {
-        let time = motion.time();
-        motion.step(horizon).map_err(|failure| failed(failure, time))?;
-        let speed = size(scales, motion.derivative());
-        fastest = fastest.max(speed);
-        if held(motion) && speed < STILL * fastest {
-            return Ok(End::Stops);
-        }
-    }
-    Ok(End::Dies)
 }
 
 /// Largest state in units of its scale.

@@ -106,14 +106,14 @@ impl Run {
 
 impl Run {
     /// Reads the values of an element, whose table has them by dotted names.
+    #[inline(never)]
     fn read_element(&mut self, element: &str, table: &'static [Parameter], values: &Value) -> Result<()> {
-        let known: Vec<&'static str> = table.iter().filter_map(|p| Some(p.name.split_once('.')?.1)).collect();
-        for (key, value) in present(element, values)? {
-            let Some(place) = known.iter().position(|name| *name == key) else {
-                return Err(Error::unknown(Code::UnknownKey, element, key, &known));
-            };
-            let name = table[place].name;
-            self.set_parameter(name, number_of(table, name, value)?)?;
+        let known: Vec<&'static str> = table.iter().filter_map(|p| p.name.get(element.len() + 1..)).collect();
+        let fields = Fields::of(element, values, &known)?;
+        for (key, Parameter { name, .. }) in known.iter().zip(table) {
+            if let Some(value) = fields.value(key) {
+                self.set_parameter(name, number_of(table, name, value)?)?;
+            }
         }
         Ok(())
     }

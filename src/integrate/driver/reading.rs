@@ -4,7 +4,7 @@ use super::{
     super::{dop853, dormand_prince, locate::bracketed, method::Scheme, rodas, runge_kutta4},
     Integrator,
 };
-use crate::{model::System, real::Dual};
+use crate::model::System;
 
 impl<S: System<N>, const N: usize> Integrator<S, N> {
     /// The state at time `t` within the last step, by its dense output.
@@ -38,8 +38,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         if (0..N).all(|i| jump[i].abs() <= ROUNDING * (self.f[i].abs() + before[i].abs())) {
             return None;
         }
-        let seeded: [Dual<N>; N] = std::array::from_fn(|i| Dual::variable(self.x[i], i));
-        let normal = self.system.switch(which, Dual::from(self.t), self.from_mode, &seeded)?.slope;
+        let normal = self.gradient(which, self.t, self.from_mode, &self.x)?;
         let speed: f64 = (0..N).map(|i| normal[i] * before[i]).sum();
         Some((jump, normal.map(|entry| entry / speed)))
     }

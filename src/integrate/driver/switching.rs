@@ -7,7 +7,10 @@ use super::{
     },
     Failure, Integrator, Outcome, root_mean_square,
 };
-use crate::{model::System, real::Dual};
+use crate::{
+    model::{Mode, System},
+    real::Dual,
+};
 
 /// Most switches of a system: a bit each, and room for their values.
 const MOST_SWITCHES: usize = 8;
@@ -18,6 +21,17 @@ pub(super) struct Switches {
     pub active: u32,
     pub value: [f64; MOST_SWITCHES],
     pub slope: [f64; MOST_SWITCHES],
+    /// Of the suspected ones: their slopes at the start of the last step, per step.
+    pub start_slope: [f64; MOST_SWITCHES],
+}
+
+/// What a look at the switches has shown: a bit for each that may fall in the step, the first that surely does, and whether
+/// there is one that must be looked at more closely.
+#[derive(Default)]
+struct Seen {
+    suspects: u32,
+    first: Option<(usize, f64)>,
+    unclear: bool,
 }
 
 impl Switches {
@@ -34,39 +48,51 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     #[inline(always)]
     pub(super) fn first_switch(&mut self, h: f64) -> Option<(usize, f64)> {
         let fresh_at_start = self.fresh;
-        let along = self.along();
-        let (mut suspects, mut foreseen, mut unclear) = (0_u32, None, false);
-        for which in 0..S::SWITCHES {
-            // Within a step a switch applies throughout, or not at all.
-            let Some(now) = self.system.switch(which, Dual::variable(self.t, 0), self.mode, &along) else { continue };
-            let before = self.switches.replace(which, (now.value, now.slope[0]));
-            let ends = Ends { start: before.0, start_slope: h * before.1, end: now.value, end_slope: h * now.slope[0] };
-            if ends.end > 0.0 {
-                self.fresh &= !(1 << which);
-            }
-            let fresh = fresh_at_start >> which & 1 == 1;
-            if !ends.stays_positive(fresh) {
-                suspects |= 1 << which;
-                if ends.falls_once(fresh) {
-                    // Near enough for `stop_at`, which goes on from there.
-                    let theta = ends.fall();
-                    if foreseen.is_none_or(|(_, earliest)| theta < earliest) {
-                        foreseen = Some((which, theta));
-                    }
-                } else {
-                    unclear = true;
-                }
+        let mut seen = Seen::default();
+        for which in 0..S::SWITCHES - S::SELDOM {
+            self.look_at(which, h, fresh_at_start, &mut seen);
+        }
+        if S::SELDOM > 0 && self.system.minds(self.mode) {
+            for which in S::SWITCHES - S::SELDOM..S::SWITCHES {
+                self.look_at(which, h, fresh_at_start, &mut seen);
             }
         }
-        if suspects == 0 {
+        if seen.suspects == 0 {
             return None;
         }
-        let first = if unclear { self.locate(suspects, fresh_at_start) } else { foreseen };
+        let first = if seen.unclear { self.locate(seen.suspects, fresh_at_start) } else { seen.first };
         if first.is_some() {
             // The step is cut at the switch: what was fresh at its start may still be.
             self.fresh = fresh_at_start;
         }
         first
+    }
+
+    /// Looks at one switch at the end of the step just taken.
+    #[inline(always)]
+    fn look_at(&mut self, which: usize, h: f64, fresh_at_start: u32, seen: &mut Seen) {
+        // Within a step a switch applies throughout, or not at all.
+        let now = self.system.switch(which, Dual::variable(self.t, 0), self.mode, &self.along());
+        let Some(now) = now else { return };
+        let before = self.switches.replace(which, (now.value, now.slope[0]));
+        let ends = Ends { start: before.0, start_slope: h * before.1, end: now.value, end_slope: h * now.slope[0] };
+        if ends.end > 0.0 {
+            self.fresh &= !(1 << which);
+        }
+        let fresh = fresh_at_start >> which & 1 == 1;
+        if !ends.stays_positive(fresh) {
+            seen.suspects |= 1 << which;
+            self.switches.start_slope[which] = ends.start_slope;
+            if ends.falls_once(fresh) {
+                // Near enough for `stop_at`, which goes on from there.
+                let theta = ends.fall();
+                if seen.first.is_none_or(|(_, earliest)| theta < earliest) {
+                    seen.first = Some((which, theta));
+                }
+            } else {
+                seen.unclear = true;
+            }
+        }
     }
 
     /// The state at the end of the last step, with its slope in time.
@@ -102,7 +128,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             // At rest a switch is what its quantity is compared with.
             let size = self.system.switch(which, self.from_t, self.mode, &[0.0; N]).map_or(0.0, f64::abs);
             let fresh = (fresh >> which & 1 == 1).then(|| self.passed(which));
-            if let Some(theta) = self.locator.first(fresh, size, value)
+            if let Some(theta) = self.locator.first(fresh, size, &value)
                 && first.is_none_or(|(_, earliest)| theta < earliest)
             {
                 first = Some((which, theta));
@@ -111,18 +137,20 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         first
     }
 
-    /// What is known of a switch that was passed at the start of the last step.
+    /// What is known of a suspected switch that was passed at the start of the last step.
     fn passed(&self, which: usize) -> Fresh {
-        let seeded: [Dual<N>; N] = std::array::from_fn(|i| Dual::variable(self.from_x[i], i));
-        let along = std::array::from_fn(|i| Dual { value: self.from_x[i], slope: [self.start_rate[i]] });
-        let slope = self.system.switch(which, Dual::variable(self.from_t, 0), self.mode, &along);
-        let gradient = self.system.switch(which, Dual::from(self.from_t), self.mode, &seeded);
+        let gradient = self.gradient(which, self.from_t, self.mode, &self.from_x);
         // Within a step the dense output is somewhat less true than at its end.
         let scale = self.scale(&self.from_x).map(|scale| 0.1 * scale);
-        Fresh {
-            slope: slope.map_or(0.0, |switch| self.length * switch.slope[0]),
-            error: gradient.map_or(0.0, |switch| (0..N).map(|i| switch.slope[i].abs() / scale[i]).sum()),
-        }
+        let error = gradient.map_or(0.0, |gradient| (0..N).map(|i| gradient[i].abs() / scale[i]).sum());
+        Fresh { slope: self.switches.start_slope[which], error }
+    }
+
+    /// How a switch changes with the state, where it applies.
+    #[inline(never)]
+    pub(super) fn gradient(&self, which: usize, t: f64, mode: Mode, x: &[f64; N]) -> Option<[f64; N]> {
+        let seeded: [Dual<N>; N] = std::array::from_fn(|i| Dual::variable(x[i], i));
+        self.system.switch(which, Dual::from(t), mode, &seeded).map(|switch| switch.slope)
     }
 
     /// Takes the step again up to the switch, with the full order of the scheme, and changes the mode there.
