@@ -6,8 +6,9 @@ mod common;
 use std::f64::consts::PI;
 
 use common::{gear::ADAPTIVE, linear::gear, random::Random, reference};
+use nalgebra::{Complex, DMatrix};
 use serde_json::Value as Json;
-use shimmy::{Code, Run, integrate::Trajectory, outlook::Verdict, run::Value};
+use shimmy::{Code, Run, integrate::Trajectory, outlook::Verdict, run::Value, stability::eigenvalues};
 
 const FRICTION: &str = "friction.moment";
 const STOP: &str = "friction-stop";
@@ -361,5 +362,95 @@ fn linear_theory_leaves_friction_out() {
         assert_eq!(with.eigenvalues().unwrap(), without.eigenvalues().unwrap());
         assert_eq!(with.linearised().unwrap(), without.linearised().unwrap());
         assert_eq!(with.routh_hurwitz().unwrap(), without.routh_hurwitz().unwrap());
+    }
+}
+
+/// Where a period ends, from ± small pushes at the start: what shooting knows from variational equations and jumps.
+fn by_differences(run: &Run, start: &[f64], period: f64) -> Vec<Complex<f64>> {
+    let names: Vec<_> = run.description().state.iter().map(|state| state.name).collect();
+    let scales: Vec<_> = run.description().state.iter().map(|state| state.scale).collect();
+    let end = |start: &[f64]| -> Vec<f64> {
+        let run = names.iter().zip(start).fold(run.clone(), |run, (name, x)| run.starting(name, *x).unwrap());
+        let motion = run.within(1e-12).unwrap().at(vec![period]).unwrap().simulate().unwrap();
+        motion.states.iter().map(|column| column[0]).collect()
+    };
+    let column = |j: usize| {
+        let moved = |by: f64| {
+            end(&start
+                .iter()
+                .enumerate()
+                .map(|(i, x)| if i == j { x + by * scales[j] } else { *x })
+                .collect::<Vec<_>>())
+        };
+        let (ahead, behind) = (moved(1e-5), moved(-1e-5));
+        (0..3).map(|i| (ahead[i] - behind[i]) / (2e-5 * scales[i])).collect::<Vec<_>>()
+    };
+    let columns: Vec<_> = (0..3).map(column).collect();
+    let mut values = eigenvalues(&DMatrix::from_fn(3, 3, |i, j| columns[j][i])).unwrap();
+    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+    values
+}
+
+#[test]
+fn cycles_know_of_the_jump_where_friction_turns() {
+    for (name, parameters) in [
+        (
+            "slips",
+            [
+                ("velocity", 80.0),
+                ("dampingConstant", 20.0),
+                ("torsionalStiffness", 1e5),
+                ("casterLength", 0.1),
+                (FRICTION, 150.0),
+            ],
+        ),
+        (
+            "slips more",
+            [
+                ("velocity", 80.0),
+                ("dampingConstant", 20.0),
+                ("torsionalStiffness", 1e5),
+                ("casterLength", 0.1),
+                (FRICTION, 400.0),
+            ],
+        ),
+        (
+            "sticks",
+            [
+                ("velocity", 5.0),
+                ("dampingConstant", 0.0),
+                ("torsionalStiffness", 2e3),
+                ("casterLength", 0.05),
+                (FRICTION, 1_000.0),
+            ],
+        ),
+        (
+            "sticks softly",
+            [
+                ("velocity", 2.0),
+                ("dampingConstant", 0.0),
+                ("torsionalStiffness", 2e3),
+                ("casterLength", 0.05),
+                (FRICTION, 300.0),
+            ],
+        ),
+    ] {
+        let run = gear(&parameters);
+        let cycle = run.limit_cycle(None).unwrap().unwrap_or_else(|| panic!("{name}: no cycle"));
+        println!("{name}: {} Hz, {:?}, multipliers {:?}", cycle.frequency, cycle.amplitude, cycle.multipliers);
+        assert!(cycle.stable && cycle.symmetric, "{name}");
+        let trivial = cycle.multipliers.iter().map(|value| (value - 1.0).norm()).fold(f64::INFINITY, f64::min);
+        assert!(trivial < 1e-6, "{name}: {trivial:e}");
+        if name.starts_with("sticks") {
+            assert!(cycle.multipliers[2].norm() < 1e-12, "{name}: what the stop takes away");
+        }
+        let start: Vec<f64> = cycle.orbit.states.iter().map(|column| column[0]).collect();
+        for (got, expected) in cycle.multipliers.iter().zip(by_differences(&run, &start, cycle.period)) {
+            assert!((got - expected).norm() < 2e-6, "{name}: {got} {expected}");
+        }
+        // A long motion comes to it.
+        let outlook = run.starting("torsionAngle", 0.9 * cycle.amplitude[0]).unwrap().outlook().unwrap();
+        assert_eq!(outlook.verdict, Verdict::Shimmies);
+        assert!((outlook.amplitude[0] / cycle.amplitude[0] - 1.0).abs() < 1e-6, "{name}: {}", outlook.amplitude[0]);
     }
 }
