@@ -3,7 +3,7 @@
 
 mod common;
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use common::{gear::ADAPTIVE, linear::gear, random::Random, reference};
 use nalgebra::{Complex, DMatrix};
@@ -452,5 +452,79 @@ fn cycles_know_of_the_jump_where_friction_turns() {
         let outlook = run.starting("torsionAngle", 0.9 * cycle.amplitude[0]).unwrap().outlook().unwrap();
         assert_eq!(outlook.verdict, Verdict::Shimmies);
         assert!((outlook.amplitude[0] / cycle.amplitude[0] - 1.0).abs() < 1e-6, "{name}: {}", outlook.amplitude[0]);
+    }
+}
+
+/// The first harmonic of friction's square wave is 4M_f/π: a swing lasts where it takes as much as the gear has too little
+/// damping for. In the tire's straight range that is known: at c_critical (theory.md, section 2) the gear without friction
+/// holds any swing.
+#[test]
+fn the_smallest_cycle_is_where_friction_makes_up_for_the_damping_that_lacks() {
+    let critical = 48.530;
+    for (c, friction) in [(20.0, 1.0), (20.0, 5.0), (40.0, 2.0), (10.0, 10.0)] {
+        let run = gear(&[("velocity", 80.0), ("dampingConstant", c), (FRICTION, friction)]);
+        let cycles = run.describing_function().unwrap();
+        let [small, large] = cycles[..] else { panic!("{cycles:?}") };
+        assert!(!small.stable && large.stable && small.amplitude.torsion_angle < large.amplitude.torsion_angle);
+        let turning = TAU * small.frequency;
+        let expected = 4.0 * friction / (PI * turning * (critical - c));
+        // c_critical is printed to five digits; the aligning moment bends by (πα/α_g)²/8.
+        let bend = (PI * small.amplitude.slip_angle / 10_f64.to_radians()).powi(2) / 8.0;
+        let off = small.amplitude.torsion_angle / expected - 1.0;
+        assert!(off.abs() < 1e-4 + 3.0 * bend, "c {c} M_f {friction}: {off:e}, bend {bend:e}");
+    }
+    // Without friction there is no such cycle, and none where friction takes more than there is.
+    assert_eq!(gear(&[("velocity", 80.0), ("dampingConstant", 20.0)]).describing_function().unwrap().len(), 1);
+    assert_eq!(
+        gear(&[("velocity", 80.0), ("dampingConstant", 20.0), (FRICTION, 1_500.0)]).describing_function().unwrap(),
+        []
+    );
+}
+
+#[test]
+fn predictions_are_near_the_true_cycles() {
+    for v in [40.0, 60.0, 80.0, 100.0] {
+        for (c, friction, degrees) in
+            [(20.0, 20.0, 0.0), (20.0, 80.0, 0.0), (30.0, 40.0, 0.0), (30.0, 40.0, 1.0), (100.0, 3.0, 0.5)]
+        {
+            let parameters = [
+                ("velocity", v),
+                ("dampingConstant", c),
+                (FRICTION, friction),
+                ("freeplayAngle", f64::to_radians(degrees)),
+            ];
+            let run = gear(&parameters);
+            let cycles = run.describing_function().unwrap();
+            let found = run.limit_cycle(None).unwrap();
+            let stable = cycles.iter().find(|cycle| cycle.stable);
+            assert_eq!(stable.is_some(), found.is_some(), "v {v} c {c} M_f {friction} gap {degrees}: {cycles:?}");
+            let (Some(predicted), Some(found)) = (stable, found) else {
+                println!("v {v} c {c} M_f {friction} gap {degrees}°: none by either");
+                continue;
+            };
+            let aside = predicted.amplitude.torsion_angle / found.amplitude[0] - 1.0;
+            let faster = predicted.frequency / found.frequency - 1.0;
+            println!(
+                "v {v} c {c} M_f {friction} gap {degrees}°: amplitude {:+.3} %, frequency {:+.3} %",
+                100.0 * aside,
+                100.0 * faster
+            );
+            assert!(
+                aside.abs() < 0.02 && faster.abs() < 0.02,
+                "v {v} c {c} M_f {friction} gap {degrees}: {aside} {faster}"
+            );
+            // On either side of the unstable one below it, a motion is held, or comes to the stable one.
+            let Some(below) = cycles.iter().find(|cycle| !cycle.stable) else { panic!("{cycles:?}") };
+            let start = |factor: f64| {
+                // Where a sinusoid passes its turning point: ψ = A, ψ̇ = 0, and y in its phase.
+                let turning = TAU * below.frequency;
+                let lag = Complex::new(v, 0.0) / Complex::new(v / 0.3, turning);
+                let psi = factor * below.amplitude.torsion_angle;
+                let run = run.clone().starting("torsionAngle", psi).unwrap();
+                run.starting("lateralDeformation", psi * lag.re).unwrap().outlook().unwrap().verdict
+            };
+            assert_eq!(start(0.85), Verdict::Rests, "v {v} c {c} M_f {friction} gap {degrees}: {cycles:?}");
+            assert_ne!(start(1.15), Verdict::Rests, "v {v} c {c} M_f {friction} gap {degrees}: {cycles:?}");
+        }
     }
 }

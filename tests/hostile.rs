@@ -18,7 +18,7 @@ use shimmy::{
 /// A run that is damaged still ends after so many steps.
 const STEPS: f64 = 2_000.0;
 
-const RUN_KEYS: [&str; 14] = [
+const RUN_KEYS: [&str; 15] = [
     "model",
     "parameters",
     "initial",
@@ -30,6 +30,7 @@ const RUN_KEYS: [&str; 14] = [
     "times",
     "samples",
     "damper",
+    "friction",
     "modle",
     "",
     "__proto__",
@@ -54,7 +55,8 @@ const LIMITS: [&str; 3] = ["sideForceLimitAngle", "aligningMomentLimitAngle", "f
 
 const STATES: [&str; 3] = ["torsionAngle", "torsionRate", "lateralDeformation"];
 
-const STRANGERS: [&str; 7] = ["velocity", "torsionAngle", "velocty", "", "🛬", "__proto__", "damper.command"];
+const STRANGERS: [&str; 8] =
+    ["velocity", "torsionAngle", "velocty", "", "🛬", "__proto__", "damper.command", "friction.moment"];
 
 /// Numbers at the ends of what a double can say, those just past a limit, and any other bits.
 fn number() -> impl Strategy<Value = f64> {
@@ -151,19 +153,23 @@ fn run_like() -> impl Strategy<Value = Value> {
     let model = prop_oneof![(Just("torsional"), record(&nonlinear)), (Just("torsional-linear"), record(&PARAMETERS)),];
     let method = prop::sample::select(vec!["auto", "dormand-prince", "dop853", "rk4", "rodas"]);
     let damage = prop_oneof![Just(vec![]), prop::collection::vec((key(&RUN_KEYS), value()), 1..3)];
-    (model, method, record(&STATES), damage).prop_map(|((model, parameters), method, initial, damage)| {
-        let named = |key: &str, value| (key.to_owned(), value);
-        let mut entries = vec![
-            named("model", Value::Text(model.into())),
-            named("method", Value::Text(method.into())),
-            named("parameters", parameters),
-            named("initial", initial),
-            named("duration", Value::Number(0.01)),
-        ];
-        entries.extend(damage.into_iter().filter(|(key, value)| !is_large(key, value)));
-        entries.push(named("maxSteps", Value::Number(STEPS)));
-        Value::Record(entries)
-    })
+    let friction = prop_oneof![Just(Value::Absent), record(&["moment"])];
+    (model, method, friction, record(&STATES), damage).prop_map(
+        |((model, parameters), method, friction, initial, damage)| {
+            let named = |key: &str, value| (key.to_owned(), value);
+            let mut entries = vec![
+                named("model", Value::Text(model.into())),
+                named("method", Value::Text(method.into())),
+                named("parameters", parameters),
+                named("friction", friction),
+                named("initial", initial),
+                named("duration", Value::Number(0.01)),
+            ];
+            entries.extend(damage.into_iter().filter(|(key, value)| !is_large(key, value)));
+            entries.push(named("maxSteps", Value::Number(STEPS)));
+            Value::Record(entries)
+        },
+    )
 }
 
 /// A number of samples that is allowed, and takes a while.
@@ -200,8 +206,8 @@ fn attempt(input: &Value) {
     linearise(&run);
     match run.energy() {
         Ok(energy) => {
-            let parts =
-                energy.map(|e| vec![e.duration, e.tire, e.damper, e.tread_width, e.kinetic, e.spring, e.stored]);
+            let parts = energy
+                .map(|e| vec![e.duration, e.tire, e.damper, e.tread_width, e.friction, e.kinetic, e.spring, e.stored]);
             assert_finite("an energy", &parts.unwrap_or_default());
         }
         Err(error) => assert_speaks(&error),

@@ -5,16 +5,19 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
 use crate::{
     energy::GAUSS,
     error::{Code, Error, Result},
+    integrate::bracketed,
     run::Run,
     stability::TorsionalTheory,
 };
 
-/// Amplitudes of α among which cycles are searched for \[rad\], and how many places are looked at, equally spaced in their
-/// logarithm.
+/// Amplitudes of α among which cycles are searched for, with friction of ψ \[rad\], and how many places are looked at, equally
+/// spaced in their logarithm.
 const AMPLITUDES: (f64, f64) = (1e-6, FRAC_PI_2);
 const PLACES: u32 = 600;
 /// Halvings of the way between two places: to rounding.
 const HALVINGS: u32 = 60;
+/// Logarithms of the ω among which the one of a swing with friction is searched for \[1/s\].
+const TURNING: (f64, f64) = (-7.0, 16.0);
 /// By how much both amplitudes are changed to see which way the gear's verdict goes.
 const ASIDE: f64 = 1e-5;
 
@@ -28,10 +31,13 @@ const ASIDE: f64 = 1e-5;
 /// F_y   c_Fα                                   A ≤ δ      c_Fα (2/π)(asin r + r√(1 − r²)),  r = δ/A,  beyond
 /// M_z   c_Mα (α_g/π)(4/(πA)) ∫₀^θ sin(πA sin t/α_g) sin t dt,   θ = π/2 for A ≤ α_g, asin(α_g/A) beyond
 /// s(ψ)  1 − (2/π)(asin s + s√(1 − s²)),  s = ψ_fp/A_ψ,   A_ψ > ψ_fp;   0 within the gap
+/// ψ̇     a damping constant 4M_f/(πωA_ψ) for M_f sign ψ̇
 /// y = σA,   |ψ|/|y| = |iω + v/σ|/|v + iω(e − a)|
 /// ```
 ///
-/// (For A ≤ α_g the integral is (π/2) J₁(πA/α_g).) With a gap both amplitudes are solved for together.
+/// (For A ≤ α_g the integral is (π/2) J₁(πA/α_g).) With a gap both amplitudes are solved for together, with friction also the
+/// frequency. Friction holds the smallest swings: where the gear is unstable without it there is an unstable cycle, below which
+/// they fade. A swing that sticks on its way is none of a sinusoid's.
 ///
 /// # Limits
 /// Higher harmonics are left out: within some per cent of the cycle where the tire saturates. It is asked for A up to π/2.
@@ -63,11 +69,12 @@ pub struct Amplitudes {
 struct Gear<'a> {
     run: &'a Run,
     theory: fn(&[f64]) -> Option<TorsionalTheory<f64>>,
-    /// Places of k, c_Fα and c_Mα in the table.
-    places: [usize; 3],
+    /// Places of k, c_Fα, c_Mα and c in the table.
+    places: [usize; 4],
     side_force_limit: f64,
     aligning_limit: f64,
     freeplay: f64,
+    friction: f64,
     velocity: f64,
     lever: f64,
     relaxation_length: f64,
@@ -78,6 +85,8 @@ struct Gear<'a> {
 struct Balance {
     /// Positive where the swing fades for want of it.
     excess: f64,
+    /// A.
+    slip: f64,
     /// A_ψ.
     torsion: f64,
     /// ω.
@@ -124,39 +133,42 @@ impl Run {
 impl<'a> Gear<'a> {
     fn of(run: &'a Run) -> Result<Self> {
         let value = |name: &str, without: f64| place(run, name).map_or(without, |place| run.parameters()[place]);
-        let [Some(k), Some(force), Some(moment)] =
-            ["torsionalStiffness", "sideForceDerivative", "aligningMomentDerivative"].map(|name| place(run, name))
+        let [Some(k), Some(force), Some(moment), Some(damping)] =
+            ["torsionalStiffness", "sideForceDerivative", "aligningMomentDerivative", "dampingConstant"]
+                .map(|name| place(run, name))
         else {
             return Err(without(run));
         };
         let gear = Self {
             run,
             theory: run.description().number_theory,
-            places: [k, force, moment],
+            places: [k, force, moment, damping],
             side_force_limit: value("sideForceLimitAngle", f64::INFINITY),
             aligning_limit: value("aligningMomentLimitAngle", f64::INFINITY),
             freeplay: value("freeplayAngle", 0.0),
+            friction: value("friction.moment", 0.0),
             velocity: value("velocity", 0.0),
             lever: value("casterLength", 0.0) - value("halfContactLength", 0.0),
             relaxation_length: value("relaxationLength", 0.0),
             moment_of_inertia: value("momentOfInertia", 0.0),
         };
         let damped = value("dampingConstant", 0.0) + value("treadWidthMomentConstant", 0.0) > 0.0;
-        if gear.freeplay > 0.0 && !damped {
+        if gear.freeplay > 0.0 && !damped && gear.friction == 0.0 {
             let allowed = "> 0 N m s/rad where there is freeplay and no tread width";
             return Err(Error::new(Code::Unsuited, "dampingConstant", "0", allowed));
         }
         Ok(gear)
     }
 
-    /// a₂a₁ − a₀ and ω² of the quasi-linear gear, where α has the amplitude `slip` and the spring `part` of its stiffness; in
-    /// units that do not depend on either.
-    fn linear(&self, slip: f64, part: f64) -> Result<(f64, f64)> {
+    /// a₂a₁ − a₀ and ω² of the quasi-linear gear, where α has the amplitude `slip`, the spring `part` of its stiffness, and
+    /// friction works like a damping constant `rubbing`; in units that do not depend on them.
+    fn linear(&self, slip: f64, part: f64, rubbing: f64) -> Result<(f64, f64)> {
         let mut values = self.run.parameters().to_vec();
         let gains = [part, saturation(slip, self.side_force_limit), aligning(slip, self.aligning_limit)];
         for (place, gain) in self.places.into_iter().zip(gains) {
             values[place] *= gain;
         }
+        values[self.places[3]] += rubbing;
         let theory = (self.theory)(&values).ok_or_else(|| without(self.run))?;
         // What is left of the spring acts everywhere.
         let theory = TorsionalTheory { freeplay_angle: 0.0, ..theory };
@@ -172,12 +184,35 @@ impl<'a> Gear<'a> {
         sigma * slip * turning.hypot(v / sigma) / v.hypot(turning * self.lever)
     }
 
-    /// Of a swing with the amplitude `slip` of α; none where it could not turn back.
-    fn balance(&self, slip: f64) -> Result<Option<Balance>> {
-        let (with, fast) = self.linear(slip, 1.0)?;
+    /// The damping constant that friction is worth where ψ has the amplitude `torsion` and swings with ω.
+    fn rubbing(&self, torsion: f64, turning: f64) -> f64 {
+        4.0 * self.friction / (PI * turning * torsion)
+    }
+
+    /// Of a swing with the amplitude `torsion` of ψ where there is friction: that says what the spring is worth, and its
+    /// frequency, which grows with what friction is worth, which falls with it, can be found.
+    fn balance_with_friction(&self, torsion: f64) -> Result<Option<Balance>> {
+        let part = gap(torsion, self.freeplay);
+        let at = |turning: f64| {
+            let slip = torsion / self.torsion(1.0, turning);
+            Ok::<_, Error>((slip, self.linear(slip, part, self.rubbing(torsion, turning))?))
+        };
+        let faster = |log: f64| at(log.exp()).map_or(f64::NAN, |(_, (_, square))| square - (2.0 * log).exp());
+        let turning = bracketed(TURNING.0, TURNING.1, &faster).exp();
+        let (slip, (excess, _)) = at(turning)?;
+        Ok((slip < FRAC_PI_2 && excess.is_finite()).then_some(Balance { excess, slip, torsion, turning }))
+    }
+
+    /// Of a swing with this amplitude, of α or, with friction, of ψ; none where it could not turn back.
+    fn balance(&self, amplitude: f64) -> Result<Option<Balance>> {
+        if self.friction > 0.0 {
+            return self.balance_with_friction(amplitude);
+        }
+        let slip = amplitude;
+        let (with, fast) = self.linear(slip, 1.0, 0.0)?;
         let (excess, square) = if self.freeplay > 0.0 {
             // Both are straight in the spring's part: it is known which one the swing needs.
-            let (without, slow) = self.linear(slip, 0.0)?;
+            let (without, slow) = self.linear(slip, 0.0, 0.0)?;
             let part = -without / (with - without);
             let square = slow + part * (fast - slow);
             let there = gap(self.torsion(slip, square.max(0.0).sqrt()), self.freeplay);
@@ -187,11 +222,16 @@ impl<'a> Gear<'a> {
         };
         let turning = square.sqrt();
         let torsion = self.torsion(slip, turning);
-        Ok((square > 0.0 && excess.is_finite() && torsion.is_finite()).then_some(Balance { excess, torsion, turning }))
+        Ok((square > 0.0 && excess.is_finite() && torsion.is_finite()).then_some(Balance {
+            excess,
+            slip,
+            torsion,
+            turning,
+        }))
     }
 
-    fn excess(&self, slip: f64) -> Result<Option<f64>> {
-        Ok(self.balance(slip)?.map(|balance| balance.excess))
+    fn excess(&self, amplitude: f64) -> Result<Option<f64>> {
+        Ok(self.balance(amplitude)?.map(|balance| balance.excess))
     }
 
     /// The place between two where the excess is nearest to zero, by thirds.
@@ -201,9 +241,9 @@ impl<'a> Gear<'a> {
             let third = (high.0 - low.0) / 3.0;
             let inner = [low.0 + third, high.0 - third];
             let [Some(a), Some(b)] = [self.excess(inner[0])?, self.excess(inner[1])?] else { break };
-            for (slip, excess) in inner.into_iter().zip([a, b]) {
+            for (place, excess) in inner.into_iter().zip([a, b]) {
                 if sign * excess < 0.0 {
-                    return Ok((slip, excess));
+                    return Ok((place, excess));
                 }
             }
             if sign * a < sign * b { high = (inner[1], b) } else { low = (inner[0], a) }
@@ -211,7 +251,7 @@ impl<'a> Gear<'a> {
         Ok(low)
     }
 
-    /// The cycle between two amplitudes of α at which the excess has different signs.
+    /// The cycle between two amplitudes at which the excess has different signs.
     fn cycle(&self, start: (f64, f64), end: (f64, f64)) -> Result<Option<Predicted>> {
         let (mut low, mut high) = (start.0, end.0);
         for _ in 0..HALVINGS {
@@ -219,10 +259,13 @@ impl<'a> Gear<'a> {
             let Some(excess) = self.excess(middle)? else { return Ok(None) };
             *(if excess * start.1 > 0.0 { &mut low } else { &mut high }) = middle;
         }
-        let slip = 0.5 * (low + high);
-        let Some(Balance { torsion, turning, .. }) = self.balance(slip)? else { return Ok(None) };
+        let Some(balance) = self.balance(0.5 * (low + high))? else { return Ok(None) };
+        let Balance { slip, torsion, turning, .. } = balance;
         // Both amplitudes change together, as the swing's shape has them.
-        let calms = |factor: f64| self.linear(factor * slip, gap(factor * torsion, self.freeplay));
+        let calms = |factor: f64| {
+            let torsion = factor * torsion;
+            self.linear(factor * slip, gap(torsion, self.freeplay), self.rubbing(torsion, turning))
+        };
         let amplitude =
             Amplitudes { torsion_angle: torsion, lateral_deformation: self.relaxation_length * slip, slip_angle: slip };
         Ok(Some(Predicted {
@@ -236,7 +279,7 @@ impl<'a> Gear<'a> {
 /// Where the table has a parameter, if it does: a law without a limit never comes to it.
 #[inline(never)]
 fn place(run: &Run, name: &str) -> Option<usize> {
-    run.description().parameters.iter().position(|parameter| parameter.name == name)
+    run.description().table.iter().position(|parameter| parameter.name == name)
 }
 
 fn without(run: &Run) -> Error {

@@ -237,7 +237,7 @@ fn first_fall(course: &[f64; NODES], low: f64, high: f64, switch: &dyn Fn(f64) -
 }
 
 /// Root of `switch` between `low` (positive) and `high` (not): regula falsi of the Illinois kind, to rounding.
-pub(super) fn bracketed(mut low: f64, mut high: f64, switch: &dyn Fn(f64) -> f64) -> f64 {
+pub(crate) fn bracketed(mut low: f64, mut high: f64, switch: &dyn Fn(f64) -> f64) -> f64 {
     let (mut at_low, mut at_high) = (switch(low), switch(high));
     if at_low <= 0.0 {
         return low;
