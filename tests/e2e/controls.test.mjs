@@ -67,7 +67,7 @@ test('with freeplay the captions speak of linear theory, and never of dying out'
   const { page, leave } = await site.open('#shimmy=1&dampingConstant=100&freeplayAngle=0.017453292519943295&initial.torsionAngle=0.05');
   await untilVerdict(page, 'It rattles in the gap');
   assert.deepEqual(await scent(page, 'dampingConstant'), {
-    numbers: ['39.0'], caption: 'linear, spring engaged: stable above', hatches: [[0, 19]], said: 'linear theory, spring engaged: stable above 39.0 N m s/rad',
+    numbers: ['39.0'], caption: 'linear theory: stable above', hatches: [[0, 19]], said: 'linear theory, spring engaged: stable above 39.0 N m s/rad',
   });
   await openDrawer(page);
   await page.locator('shimmy-drawer .scent-caption').first().waitFor();

@@ -19,7 +19,7 @@ export function placeLabels({ marks, captions }, width, measure) {
   const numbers = placeNumbers(marks, width, measure);
   const ends = numbers.map(({ x, text }) => ({ from: x, to: x + measure(text) }));
   const [first, last] = [ends.at(0), ends.at(-1)];
-  if (!first || !last) return { numbers, caption: fitting(captions.all, 0, width) };
+  if (!first || !last) return { numbers, caption: fitting([...captions.all, ...captions.least], 0, width) };
 
   const isPair = captions.between.length > 0;
   const [right, left] = isPair ? [captions.between, captions.between] : [captions.above, captions.below];
@@ -28,7 +28,7 @@ export function placeLabels({ marks, captions }, width, measure) {
   if (caption) return { numbers, caption };
   // No room beside the numbers: under them.
   const middle = (first.from + last.to) / 2;
-  for (const text of right) {
+  for (const text of [...right, ...captions.least]) {
     const size = measure(text);
     if (size <= width) return { numbers, caption: { x: clamped(middle - size / 2, 0, width - size), text, row: 1 } };
   }

@@ -9,9 +9,9 @@
  *   theory finds over a slider's range. `isOnlyLinear`: the gear itself may do otherwise, as in its freeplay.
  *   `isDivergent`: where all of the range is unstable, the wheel does not swing but turns aside
  * @typedef {{ place: number, number: string }} Mark a boundary: its place on the track, 0 … 1, and its number
- * @typedef {{ above: readonly string[], below: readonly string[], between: readonly string[], all: readonly string[] }} Captions
+ * @typedef {{ above: readonly string[], below: readonly string[], between: readonly string[], all: readonly string[], least: readonly string[] }} Captions
  *   what to write right of the last mark, left of the first, between a pair, and where there is none; the fullest wording
- *   first
+ *   first. `least`: what is to be said even where none of these has room
  * @typedef {{ hatches: readonly { from: number, to: number }[], marks: readonly Mark[], captions: Captions, inWords: string }} Scent
  *   `inWords`: the same for who cannot see the track
  * @typedef {{ value: number, isStableAbove: boolean, kind: UnstableInterval['fromKind'] }} Boundary
@@ -59,7 +59,7 @@ function phrasesOf({ isOnlyLinear, isDivergent }, voice) {
   const theory = (/** @type {string} */ caption) => (isOnlyLinear ? voice.say('scent.linear', { caption }) : caption);
   const wordings = (/** @type {string} */ caption) =>
     isOnlyLinear ? [theory(caption), voice.say('scent.linear.short', { caption })] : [caption];
-  return { voice, state, theory, wordings };
+  return { voice, state, theory, wordings, least: isOnlyLinear ? [voice.say('scent.linear.shortest')] : [] };
 }
 
 /** Whether two boundaries are the ends of one stretch, stable or not. @param {readonly Boundary[]} boundaries */
@@ -74,11 +74,11 @@ function isPair(boundaries) {
  * @param {ReturnType<typeof phrasesOf>} phrases
  * @returns {Captions}
  */
-function captionsOf(intervals, boundaries, numbers, { voice, state, wordings }) {
+function captionsOf(intervals, boundaries, numbers, { voice, state, wordings, least }) {
   const [first, last] = [boundaries.at(0), boundaries.at(-1)];
   if (!first || !last) {
     const all = intervals.length > 0 ? wordings(voice.say('scent.all', { state: state(false, 'range') })) : [];
-    return { above: [], below: [], between: [], all };
+    return { above: [], below: [], between: [], all, least: all.length > 0 ? least : [] };
   }
   // Of one boundary or a pair it is plain which is meant.
   const isMany = boundaries.length > 2;
@@ -87,6 +87,7 @@ function captionsOf(intervals, boundaries, numbers, { voice, state, wordings }) 
     below: wordings(voice.say(isMany ? 'scent.said.below' : 'scent.below', { state: state(!first.isStableAbove, first.kind), value: numbers[0] })),
     between: isPair(boundaries) ? wordings(voice.say('scent.between', { state: state(first.isStableAbove, first.kind) })) : [],
     all: [],
+    least,
   };
 }
 
