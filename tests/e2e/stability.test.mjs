@@ -215,7 +215,26 @@ for (const [width, height] of [[1024, 768], [720, 450], [390, 844]])
     assert.ok(choices && plane && roots && dock && choices.height < 60, `${choices?.height}`);
     assert.ok(plane.height >= 200 && roots.y === plane.y && roots.x >= plane.x + plane.width);
     assert.ok(plane.y >= 0 && plane.y + plane.height <= dock.y + 1, `${plane.y} ${plane.height} ${dock.y}`);
-    assert.match(await page.locator('.share .brief').innerText(), /% stable \(linear theory, inside the gap\)$/);
+    assert.match(await page.locator('.share .brief').innerText(), /% stable \(linear theory, inside the gap\): v\s0\.5\s…\s100\sm\/s, c\s0\s…\s100\sN/);
+    await leave();
+  });
+
+for (const [width, height] of [[1024, 768], [390, 844]])
+  test(`what a narrow plane has no room for is read beside it at ${width} × ${height}; with a pen in hand, of the gear`, async () => {
+    const { page, leave } = await opened('', { viewport: { width, height } });
+    const read = page.locator('.plane-reading');
+    await read.waitFor();
+    const own = (await read.innerText()).replaceAll('\u00a0', ' ');
+    assert.match(own, /^v 80\.0 m\/s, c 20\.0 N m s\/rad: grows \d/);
+    const canvas = page.locator('shimmy-plane canvas').first();
+    await canvas.hover({ position: { x: 90, y: 60 } });
+    await page.waitForFunction((text) => document.querySelector('.plane-reading')?.textContent?.replaceAll('\u00a0', ' ') !== text, own);
+    await page.keyboard.press('d');
+    await page.locator('shimmy-plane shimmy-pen-layer').waitFor();
+    await page.mouse.move(0, 0);
+    const box = await canvas.boundingBox();
+    if (box) for (let step = 0; step < 4; step++) await page.mouse.move(box.x + 80 + 10 * step, box.y + 60);
+    await page.waitForFunction((text) => document.querySelector('.plane-reading')?.textContent?.replaceAll('\u00a0', ' ') === text, own);
     await leave();
   });
 

@@ -162,6 +162,18 @@ test('a phrase too wide for its region is broken, and a word under the gear goes
   assert.ok(Math.abs(otherX - x) > 20 || Math.abs(otherY - y) > 15, `${otherX} ${otherY}`);
 });
 
+test('however narrow the picture, its colors are explained', () => {
+  for (const [width, em] of [[600, 13], [240, 13], [262, 17]])
+    for (const [coloring, told] of /** @type {const} */ ([['growthRate', ['−40', '+40 s⁻¹']], ['stable', ['stable', 'unstable']], ['frequency', ['40', '60 Hz']]])) {
+      const { context, named } = recordingContext();
+      const narrow = { ...theme, size: em };
+      drawStabilityMap(context, { width, height: 320 }, { ...shown, coloring, sheet: null, boundary: [], readings: [] }, narrow, voice);
+      const { bottom } = frameOfMap({ width, height: 320 }, narrow);
+      const beneath = named('fillText').filter(({ args }) => args[2] > bottom + 2 * em).map(({ args }) => args[0]);
+      assert.ok(told.every((text) => beneath.includes(text)), `${coloring} at ${width} px: ${beneath}`);
+    }
+});
+
 test('where freeplay is an axis, its closed edge is marked', () => {
   const gap = { parameter: 'freeplayAngle', from: 0, to: 0.1, quantity: quantity('freeplayAngle', 'psi_fp', 'rad') };
   const { context, named } = recordingContext();

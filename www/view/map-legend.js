@@ -29,17 +29,21 @@ export function drawMapLegend(context, { left, right, middle }, { coloring, limi
   const box = (/** @type {number} */ from, /** @type {number} */ width) => ({ left: from, right: from + width, top: middle - 0.45 * size, bottom: middle + 0.45 * size });
   const color = colorsOf(coloring, limits, theme);
   if (coloring === 'stable') {
+    const words = { 1: voice.say('stability.legend.stable'), 0: voice.say('stability.legend.unstable') };
+    const wordsWidth = context.measureText(words[1]).width + context.measureText(words[0]).width;
+    // Two patches with their gaps, closer together where there is little room.
+    const [patch, pause] = wordsWidth + (2 * 1.8 + 2 * 0.5 + 1.2) * size <= right - left ? [1.8, 1.2] : [1.1, 0.7];
     let from = left;
-    for (const isStable of [1, 0]) {
-      const text = voice.say(isStable ? 'stability.legend.stable' : 'stability.legend.unstable');
-      const swatch = box(from, 1.8 * size);
+    for (const isStable of /** @type {const} */ ([1, 0])) {
+      const text = words[isStable];
+      const swatch = box(from, patch * size);
       if (swatch.right + 0.5 * size + context.measureText(text).width > right) return;
       fill(context, swatch, written(color(isStable)));
       if (!isStable) drawHatch(context, hatchOf(swatch, () => true, theme), theme);
       outline(context, swatch, theme);
       from = swatch.right + 0.5 * size;
       write(context, text, from, middle, theme);
-      from += context.measureText(text).width + 1.2 * size;
+      from += context.measureText(text).width + pause * size;
     }
     return;
   }

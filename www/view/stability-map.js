@@ -34,6 +34,15 @@ export const gapParameter = 'freeplayAngle';
 
 /** Narrower than this, in widths of small type, an axis is called by its symbol alone. */
 const narrow = 34;
+/** Narrower than this, too, a picture has no room in its corner for what is read off, and none beside an axis' name for its legend. */
+const narrowest = 26;
+/** The legend then has a row of its own, in heights of small type. */
+const legendRow = 1.6;
+
+/** Whether what is read off is to be written beside the picture. @param {Size} size @param {Theme} theme */
+export function isNarrowMap({ width }, theme) {
+  return width < narrowest * theme.size;
+}
 
 /**
  * Where the map goes in its picture.
@@ -42,7 +51,8 @@ const narrow = 34;
  * @returns {Box}
  */
 export function frameOfMap(size, theme) {
-  return frameOf(size, theme, 'above');
+  const frame = frameOf(size, theme, 'above');
+  return isNarrowMap(size, theme) ? { ...frame, bottom: frame.bottom - legendRow * theme.size } : frame;
 }
 
 /**
@@ -99,8 +109,9 @@ export function drawStabilityMap(context, size, shown, theme, voice) {
     }
     if (shown.engaged) markEngaged(context, frame, shown, shown.engaged, theme);
     context.restore();
-    const nameWidth = widthOfLabel(context, x.name(false), theme, 600);
-    drawMapLegend(context, { left: frame.left, right: frame.right - nameWidth - theme.size, middle: frame.bottom + theme.size * 2.35 }, shown, theme, voice);
+    const beside = { left: frame.left, right: frame.right - widthOfLabel(context, x.name(false), theme, 600) - theme.size, middle: frame.bottom + theme.size * 2.35 };
+    const beneath = { left: frame.left, right: size.width - 0.5 * theme.size, middle: beside.middle + legendRow * theme.size };
+    drawMapLegend(context, isNarrowMap(size, theme) ? beneath : beside, shown, theme, voice);
   }
   drawWorkingPoint(context, frame, gear, theme);
   writeCornerReading(context, shown.readings, frame, width - widthOfLabel(context, y.name(isNarrow), theme, 600) - theme.size, theme);

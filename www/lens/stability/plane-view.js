@@ -22,6 +22,7 @@ export class PlaneView {
   #map = new PlaneMap();
   /** How much of the plane is stable, in per cent. @type {number | null} */ #share = null;
   /** Whether its choices are unfolded. */ #isOpen = false;
+  /** What is read off a picture that has no room for it. */ #reading = '';
   /** The coarse map that was drawn last, and waits to be refined. @type {unknown} */ #coarse = null;
   /** @type {{ text: string, quantities: unknown, plane: import('./settings.js').Plane } | null} */ #read = null;
 
@@ -46,7 +47,8 @@ export class PlaneView {
     const { quantities, isVeiled } = this.#lens;
     return html`
       ${planeChoices(this.#lens, this.#plane, quantities, voice, { isOpen: this.#isOpen, toggle: this.#toggle }, this.#ends)}
-      <shimmy-plane .voice=${voice} .quantities=${quantities} .plane=${this.#plane} .isVeiled=${isVeiled} .label=${this.#label(voice)}></shimmy-plane>
+      ${this.#reading ? html`<p class="plane-reading" aria-hidden="true">${this.#reading}</p>` : ''}
+      <shimmy-plane .voice=${voice} .quantities=${quantities} .plane=${this.#plane} .isVeiled=${isVeiled} .label=${this.#label(voice)} @read=${this.#tell}></shimmy-plane>
       ${this.#roots.template(voice)}`;
   }
 
@@ -58,6 +60,11 @@ export class PlaneView {
 
   #toggle = () => {
     this.#isOpen = !this.#isOpen;
+    this.#lens.requestUpdate();
+  };
+
+  #tell = (/** @type {CustomEvent<string>} */ { detail }) => {
+    this.#reading = detail;
     this.#lens.requestUpdate();
   };
 
@@ -107,8 +114,11 @@ export class PlaneView {
 
   /** The same for a foot that is short of room. @param {Voice} voice */
   #shareInBrief(voice) {
-    if (this.#share === null) return voice.say('stability.none');
-    return voice.say(this.#isGapped ? 'stability.share.brief.gap' : 'stability.share.brief', { share: voice.number(this.#share, 1) });
+    const { x, y } = this.#plane;
+    const [across, up] = [this.#lens.quantity(x.parameter), this.#lens.quantity(y.parameter)];
+    if (this.#share === null || !across || !up) return voice.say('stability.none');
+    return voice.say(this.#isGapped ? 'stability.share.brief.gap' : 'stability.share.brief',
+      { share: voice.number(this.#share, 1), x: rangeInWords(across, x, voice), y: rangeInWords(up, y, voice) });
   }
 
   /** Whether of all the plane, or all but an edge of it, linear theory speaks inside the gap. */

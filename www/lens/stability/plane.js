@@ -2,7 +2,7 @@ import { LitElement, html } from 'lit';
 import { tell } from '../../command.js';
 import { isSameList } from '../../store.js';
 import '../../view/canvas.js';
-import { drawStabilityMap, frameOfMap, gapParameter, placesOfMap } from '../../view/stability-map.js';
+import { drawStabilityMap, frameOfMap, gapParameter, isNarrowMap, placesOfMap } from '../../view/stability-map.js';
 import { withinFrame } from '../../view/working-point.js';
 import { MapPicture } from './map-picture.js';
 import { becomes, becomesBriefly, becomesInSigns, lowerName, plainSymbol, valueInWords } from './say.js';
@@ -22,7 +22,8 @@ const widestClick = 4;
 
 /**
  * The plane with the gear as a point in it, which mouse, finger and arrow keys move; a click elsewhere in the plane brings
- * it there. The mouse reads where it is. Commands: `point` with both values, `settle` at the end of a gesture, `toggle`.
+ * it there. The mouse reads where it is; where the picture is too narrow for what is read off, an event `read` has the words.
+ * Commands: `point` with both values, `settle` at the end of a gesture, `toggle`.
  */
 export class Plane extends LitElement {
   static properties = { voice: { attribute: false }, quantities: { attribute: false }, plane: { attribute: false }, isVeiled: { attribute: false }, label: {}, spoken: { state: true } };
@@ -36,6 +37,7 @@ export class Plane extends LitElement {
   #grip = null;
   /** Where the mouse reads, in px. @type {{ x: number, y: number } | null} */ #hover = null;
   #gestures = 0;
+  /** What was read off last and has no room in the picture. */ #told = '';
 
   constructor() {
     super();
@@ -126,6 +128,26 @@ export class Plane extends LitElement {
     const { x, y } = ringOf(point, places);
     if (handle) Object.assign(handle.style, { left: `${x.toFixed(1)}px`, top: `${y.toFixed(1)}px` });
     this.spoken = this.#readings(point, true)[0];
+    this.#tell();
+  }
+
+  /** Whether there is no room in the picture for what is read off. */
+  get #isNarrow() {
+    const size = this.#canvas?.size;
+    return Boolean(size && this.#theme && isNarrowMap(size, this.#theme));
+  }
+
+  #tell() {
+    const told = this.#isNarrow ? this.#readings(this.#read)[0] : '';
+    if (told === this.#told) return;
+    this.#told = told;
+    this.dispatchEvent(new CustomEvent('read', { detail: told }));
+  }
+
+  /** The values at the mouse, else the gear's. */
+  get #read() {
+    const places = this.#places;
+    return this.#hover && places ? { x: places.valueX(this.#hover.x), y: places.valueY(this.#hover.y) } : this.#point;
   }
 
   /** The gear's values. */
@@ -146,12 +168,10 @@ export class Plane extends LitElement {
     const { coloring } = plane;
     const isLinearOnly = scene.linear.isGapped || this.#gapSide !== undefined;
     if (looked && !isVeiled) this.#picture.make(context, frameOfMap(size, theme), looked, { coloring, isLinearOnly }, theme, voice);
-    const places = this.#places;
-    const read = this.#hover && places ? { x: places.valueX(this.#hover.x), y: places.valueY(this.#hover.y) } : this.#point;
     drawStabilityMap(context, size, {
       ...sides, image: looked ? this.#picture.image : null, sheet: looked ? this.#picture.sheet : null, boundary: looked?.boundary ?? [],
       coloring, limits: looked?.limits ?? { growthRate: 1, frequency: [0, 1] },
-      point: this.#point, readings: this.#readings(read), veiled: isVeiled,
+      point: this.#point, readings: this.#isNarrow ? [] : this.#readings(this.#read), veiled: isVeiled,
       engaged: this.#gapSide?.from === 0 ? voice.say('stability.engaged', { symbol: plainSymbol(this.#gapSide.quantity) }) : '',
     }, theme, voice);
   };
@@ -220,7 +240,8 @@ export class Plane extends LitElement {
     if (this.#grip?.pointer === event.pointerId && Math.hypot(at.x - this.#grip.from.x, at.y - this.#grip.from.y) > widestClick) this.#grip = null;
     if (event.pointerType !== 'mouse') return;
     const frame = this.#places?.frame;
-    this.#hover = frame && isInside(at, frame) ? at : null;
+    // A pen draws, and reads nothing.
+    this.#hover = frame && isInside(at, frame) && !this.closest('[data-pen]') ? at : null;
     this.#show();
   }
 

@@ -29,8 +29,8 @@ export const stability = {
   'stability.engaged': '{symbol} = 0: spring engaged',
 
   'stability.share': '{share}\u00a0% of the plane is stable: {x}, {y}',
-  'stability.share.brief': '{share}\u00a0% stable',
-  'stability.share.brief.gap': '{share}\u00a0% stable (linear theory, inside the gap)',
+  'stability.share.brief': '{share}\u00a0% stable: {x}, {y}',
+  'stability.share.brief.gap': '{share}\u00a0% stable (linear theory, inside the gap): {x}, {y}',
   'stability.share.gap': 'Linear theory inside the gap, where no spring works: {share}',
   'stability.range': '{symbol} {from} … {to}',
   'stability.name': 'Stability in a plane: {up} over {across}. {share}.',

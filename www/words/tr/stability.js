@@ -29,8 +29,8 @@ export const stability = {
   'stability.engaged': '{symbol} = 0: yay devrede',
 
   'stability.share': 'Düzlemin %{share} kadarı kararlı: {x}, {y}',
-  'stability.share.brief': '%{share} kararlı',
-  'stability.share.brief.gap': '%{share} kararlı (doğrusal kuram, boşluk içinde)',
+  'stability.share.brief': '%{share} kararlı: {x}, {y}',
+  'stability.share.brief.gap': '%{share} kararlı (doğrusal kuram, boşluk içinde): {x}, {y}',
   'stability.share.gap': 'Yayın çalışmadığı boşluk içinde doğrusal kuram: {share}',
   'stability.range': '{symbol} {from} … {to}',
   'stability.name': 'Düzlemde kararlılık: {across} boyunca {up}. {share}.',
