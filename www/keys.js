@@ -38,7 +38,7 @@ export const shortcuts = [
 ];
 
 /** What the list under "?" says besides. */
-export const otherKeys = /** @type {const} */ (['search', 'wheel', 'cursor', 'point', 'undo', 'knob', 'help']);
+export const otherKeys = /** @type {const} */ (['search', 'wheel', 'cursor', 'point', 'branch', 'undo', 'knob', 'help']);
 
 /**
  * Which shortcut a key press is; null where it is none, or where the focused element has its own use for it.

@@ -132,6 +132,7 @@ test('they are found by their number and by their words, in both languages', () 
   assert.deepEqual(found('figure 5.31'), ['figure-5.31']);
   assert.ok(found('table 5.6').includes('table-5.6') && found('tablo 5.6').includes('table-5.6'));
   assert.ok(found('stability sigma 0.02').includes('figure-5.9') || found('stability 0.02').includes('figure-5.9'));
+  for (const query of ['floquet table', 'limit cycle 5.12', 'limit çevrim 5.12']) assert.ok(found(query).includes('table-5.12'), query);
   assert.ok(found('kararlılık').includes('figure-5.6'));
   for (const query of ['root locus', 'kök yer eğrisi', 'eigenvalue', 'özdeğer']) assert.ok(found(query).includes('figure-5.5'), query);
   for (const query of ['routh', 'Routh-Hurwitz', 'eigenvalue', 'hopf']) assert.ok(found(query).includes('figure-5.6') && found(query).includes('table-5.6'), query);

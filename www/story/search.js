@@ -8,6 +8,7 @@
  *   `number`: of a figure or table, '' for others; `settings`: the values of each step, angles in degrees
  */
 
+import { tableNumbers } from '../lens/cycles/thesis-tables.js';
 import { isWord } from '../words/voice.js';
 import { gistOf, lookOf, titleOf } from './title.js';
 
@@ -32,18 +33,25 @@ export function indexOf(stories, voices) {
   return stories.map((story) => {
     const { entry, steps } = story;
     const text = voices.flatMap((voice) => [titleOf(story, voice), gistOf(story, voice), entry ? lookOf(entry, voice) : '']).join(' ');
-    const words = [...tokensOf(text), ...(entry ? voices.flatMap((voice) => tokensOf(methodsOf(entry, voice))) : [])];
+    const words = [...tokensOf(text), ...voices.flatMap((voice) => tokensOf(entry ? methodsOf(entry, voice) : themesOf(story.name, voice)))];
     // The name of the thing is written as it is heard, and called by other names.
     const others = words.includes('shimmy') ? voices.flatMap((voice) => tokensOf(voice.say('search.shimmy'))) : [];
     return { story, words: [...words, ...others], number: entry?.id.split(' ')[1].toLowerCase() ?? '', settings: steps.map(valuesOf) };
   });
 }
 
+/** What people look for who look for a preset, where its own words do not say it. @param {string} name @param {Voice} voice */
+function themesOf(name, voice) {
+  const key = `search.${name}`;
+  return isWord(key) ? voice.say(key) : '';
+}
+
 /** By what a figure is made, which people look for and its title does not say. @param {import('./story.js').AtlasEntry} entry @param {Voice} voice */
 function methodsOf({ id, view, run }, voice) {
   const isPlanes = view === 'table' && /^Table 5\.[2-6]$/.test(id);
+  const isCycles = view === 'table' && tableNumbers.includes(id.split(' ')[1]);
   const isCase = id === 'Table 5.7' || (view === 'time-history' && run?.model === 'torsional-linear');
-  const key = `search.${isPlanes ? 'stability-map' : isCase ? 'cases' : view}`;
+  const key = `search.${isPlanes ? 'stability-map' : isCase ? 'cases' : isCycles ? 'cycle-table' : view}`;
   return isWord(key) ? voice.say(key) : '';
 }
 

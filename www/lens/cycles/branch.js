@@ -4,7 +4,6 @@ import { runJob } from '../../engine/workers.js';
 import { stateAt } from '../../run/cycle-looks.js';
 import '../../view/canvas.js';
 import { drawBifurcation } from '../../view/bifurcation.js';
-import { firstLook } from '../../view/look.js';
 import { drawMultipliers } from '../../view/multipliers.js';
 import { quantities as shown, valueOf } from '../../view/quantities.js';
 import { roundLimit } from '../../view/scale.js';
@@ -15,7 +14,7 @@ import { along, cycleAt, heights, heightsOf, highest, nearest, slopeOfSmall, tur
 import { OrbitPicture } from './orbit-picture.js';
 import { CyclePanel } from './panel.js';
 import { amplitudeOf, digitsOf, kindOf, multiplierInWords, multipliersOf } from './say.js';
-import { branchOf, writeBranch } from './settings.js';
+import { branchOf, lookOf, orbitOf, writeBranch } from './settings.js';
 
 /**
  * @typedef {import('../../run/scene.js').Scene} Scene
@@ -234,7 +233,7 @@ export class Branch extends CyclePanel {
   #paintOrbit = (context, size) => {
     const { voice, theme, scene, isVeiled } = this;
     if (!voice || !theme || !scene) return;
-    this.#picture.paint(context, size, { scene, cycle: isVeiled ? null : this.cycle, name: 'portrait', look: firstLook, veiled: isVeiled }, theme, voice);
+    this.#picture.paint(context, size, { scene, cycle: isVeiled ? null : this.cycle, name: orbitOf(this.settings.cycleOrbit ?? '').name, look: lookOf(this.settings.cycleOrbit ?? ''), veiled: isVeiled }, theme, voice);
   };
 
   /** @type {import('../../view/canvas.js').Paint} */

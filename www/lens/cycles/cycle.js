@@ -2,12 +2,12 @@ import { html, nothing } from 'lit';
 import { tell } from '../../command.js';
 import { symbolOf } from '../../controls/symbol.js';
 import '../../view/canvas.js';
-import { firstLook, turnedByDrag, turnedByKey } from '../../view/look.js';
+import { turnedByDrag, turnedByKey } from '../../view/look.js';
 import { drawMultipliers } from '../../view/multipliers.js';
 import { OrbitPicture } from './orbit-picture.js';
 import { CyclePanel } from './panel.js';
 import { amplitudeOf, kindOf, multiplierInWords, multipliersOf, nearnessInWords } from './say.js';
-import { orbitOf, orbitViews } from './settings.js';
+import { lookOf, orbitOf, orbitViews } from './settings.js';
 
 /**
  * @typedef {import('../../run/cycle-looks.js').LimitCycle} LimitCycle
@@ -137,9 +137,7 @@ export class Cycle extends CyclePanel {
 
   /** @returns {Look} */
   get #look() {
-    if (this.#turning) return this.#turning;
-    const { yaw, pitch } = this.#orbit;
-    return Number.isFinite(yaw) && Number.isFinite(pitch) ? { yaw: yaw / degrees, pitch: pitch / degrees } : firstLook;
+    return this.#turning ?? lookOf(this.settings.cycleOrbit ?? '');
   }
 
   /** @param {Look} look */

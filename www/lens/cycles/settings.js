@@ -10,6 +10,7 @@
  *     view.cycleTableSort=…,down       by which column it is sorted; view.methodsSort likewise
  */
 
+import { firstLook } from '../../view/look.js';
 import { readRange, writeRange } from '../stability/settings.js';
 import { heights } from './branches.js';
 
@@ -31,6 +32,12 @@ export const orbitViews = /** @type {const} */ (['portrait', 'deformation', 'spa
 export function orbitOf(text) {
   const [first, yaw, pitch] = text.split(',');
   return { name: orbitViews.find((one) => one === first) ?? orbitViews[0], yaw: Number(yaw ?? NaN), pitch: Number(pitch ?? NaN) };
+}
+
+/** From where the cycle is looked at in space. @param {string} text @returns {import('../../view/look.js').Look} */
+export function lookOf(text) {
+  const { yaw, pitch } = orbitOf(text);
+  return Number.isFinite(yaw) && Number.isFinite(pitch) ? { yaw: (yaw * Math.PI) / 180, pitch: (pitch * Math.PI) / 180 } : firstLook;
 }
 
 /** @param {string} text */

@@ -107,5 +107,13 @@ export const cycles = {
   'tables.note': 'What each gear settles on from ψ(0) = {start} rad. {values}',
   'tables.set': 'Set {values}',
 
+  'key.branch': '← → ↑ ↓ Enter',
+  'key.branch.does': 'on the branches of cycles: walk along one, to another, put the gear on that cycle',
+
+  'search.born': 'bifurcation, Hopf point, Floquet multipliers, shooting, continuation, describing functions',
+  'search.folded': 'bifurcation, fold, hysteresis, unstable cycle, basins, saddle-node, subcritical',
+  'search.double-gap': 'bifurcation, proportional, map, freeplay',
+  'search.cycle-table': 'limit cycle, amplitude, Floquet',
+
   'cycle.multipliers.veiled': 'Floquet multipliers. Hidden until you have guessed.',
 };

@@ -107,5 +107,13 @@ export const cycles = {
   'tables.note': 'Her takımın ψ(0) = {start} rad’dan vardığı hareket. {values}',
   'tables.set': '{values} gir',
 
+  'key.branch': '← → ↑ ↓ Enter',
+  'key.branch.does': 'çevrim dallarında: dal boyunca yürü, öteki dala geç, takımı o çevrime koy',
+
+  'search.born': 'çatallanma, Hopf noktası, Floquet çarpanları, atış yöntemi, süreklilik, tanımlayıcı işlev',
+  'search.folded': 'çatallanma, katlanma, histerezis, kararsız çevrim, çekim havzası, kritik altı',
+  'search.double-gap': 'çatallanma, orantı, harita, boşluk',
+  'search.cycle-table': 'limit çevrim, genlik, Floquet',
+
   'cycle.multipliers.veiled': 'Floquet çarpanları. Tahmin edene kadar gizli.',
 };
