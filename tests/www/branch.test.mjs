@@ -118,6 +118,13 @@ test('slow work is given up for something newer, waits for the gear to stand sti
   jobs[1].done('c');
   await settle();
   assert.deepEqual([work.result, work.isOld, work.isGoing], ['c', false, false]);
+  look('d');
+  mock.timers.tick(250);
+  await settle();
+  jobs[2].part('some of d');
+  work.cancel();
+  await settle();
+  assert.deepEqual([jobs[2].signal.aborted, work.result, work.isGoing, jobs.length], [true, 'some of d', false, 3], 'what there is stays, and nothing begins anew');
   mock.timers.reset();
 });
 

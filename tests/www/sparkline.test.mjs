@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
 import { Quantity } from '../../www/controls/quantity.js';
-import { curveOf, fullHeight, swingsInWords } from '../../www/controls/sparkline.js';
+import { scentOf } from '../../www/controls/scent.js';
+import { curveOf, fullHeight, livesBeyond, swingsInWords } from '../../www/controls/sparkline.js';
 import { SwingScent } from '../../www/run/swing-scent.js';
 import { voiceOf } from '../../www/words/voice.js';
 import { defaults, table } from './opened-session.mjs';
@@ -72,4 +73,25 @@ test('the curve stands over its values, as high as the swing, and what is unstab
   const dashed = [...curve.unstable.matchAll(/[ML]([\d.]+) /g)].map(([, x]) => Number(x));
   assert.equal(folds.length, 2);
   assert.ok(Math.abs(Math.min(...dashed) - Math.min(...folds)) < 0.5 && Math.abs(Math.max(...dashed) - Math.max(...folds)) < 0.5);
+});
+
+test('where a wide swing lives beyond the boundary, what is said of it is said of small ones alone', () => {
+  const dampingConstant = quantity('dampingConstant');
+  const degree = Math.PI / 180;
+  /** @type {[Record<string, number>, boolean][]} */
+  const gears = [
+    [{ velocity: 80 }, false], [{ velocity: 40 }, false],
+    [{ velocity: 40, casterLength: -0.05, sideForceLimitAngle: 3 * degree, aligningMomentLimitAngle: 20 * degree }, true],
+  ];
+  for (const [parameters, expected] of gears) {
+    const range = { parameter: 'dampingConstant', from: 0, to: 200 };
+    const { sideForceLimitAngle: _, aligningMomentLimitAngle: __, ...linear } = parameters;
+    const intervals = engine.unstableIntervals({ model: 'torsional-linear', parameters: linear }, range);
+    const diagram = engine.bifurcation({ model: 'torsional', parameters, ...range, step: 0.1, tolerance: 1e-3, probes: 2 });
+    assert.equal(livesBeyond({ diagram, isOld: false }, intervals, dampingConstant), expected, JSON.stringify(parameters));
+    assert.equal(livesBeyond({ diagram, isOld: true }, intervals, dampingConstant), false);
+    const said = scentOf({ intervals, isOnlyLinear: false, isOnlySmall: expected, isDivergent: false }, dampingConstant, voiceOf('en')).inWords;
+    if (expected) assert.match(said, /^small swings: stable above 8\.9/);
+    else assert.match(said, /^dies out above/);
+  }
 });

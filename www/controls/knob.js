@@ -5,7 +5,7 @@ import { chainsOf } from './chains.js';
 import { nameOf } from './quantity.js';
 import { explain } from './refusal.js';
 import { scentOf } from './scent.js';
-import { sparklineOf, swingsInWords } from './sparkline.js';
+import { livesBeyond, sparklineOf, swingsInWords } from './sparkline.js';
 import { symbolOf } from './symbol.js';
 import { labelsOf, trackOf } from './track.js';
 import { isVelocityUnit, nextVelocityUnit } from './unit.js';
@@ -88,7 +88,8 @@ export class Knob extends LitElement {
     const name = nameOf(quantity, voice);
     const id = `knob-${quantity.name}-${this.dataset.place}`;
     const reset = voice.say('knob.reset', { name, value: quantity.write(this.usual, voice) });
-    const scent = unstable && scentOf(unstable, quantity, voice);
+    const isOnlySmall = unstable !== null && livesBeyond(swings, unstable.intervals, quantity);
+    const scent = unstable && scentOf(isOnlySmall ? { ...unstable, isOnlySmall } : unstable, quantity, voice);
     const foretold = [scent?.inWords ?? '', swingsInWords(swings, quantity, voice)].filter((words) => words !== '').join('. ');
     return html`
       <div class="knob-line">

@@ -61,3 +61,20 @@ export function curveOf(diagram, quantity) {
   known.set(diagram, curve);
   return curve;
 }
+
+/** So far beyond a boundary, as a share of the slider, and so wide, in rad, a cycle is there in earnest. */
+const [beyond, wide] = [0.01, 0.01];
+
+/**
+ * Whether a wide swing lives where small ones die out: a cycle reaches beyond where linear theory ends it.
+ * @param {Swings | null} swings
+ * @param {readonly { from: number, to: number }[]} intervals in which small swings grow, in SI
+ * @param {Quantity} quantity
+ */
+export function livesBeyond(swings, intervals, quantity) {
+  if (!swings || swings.isOld) return false;
+  const { parameter, cycles } = swings.diagram;
+  const margin = beyond * (quantity.parameter.max - quantity.parameter.min);
+  return cycles.some((branch) => branch.amplitude.some((amplitude, i) => amplitude > wide
+    && intervals.every(({ from, to }) => branch[parameter][i] < from - margin || branch[parameter][i] > to + margin)));
+}

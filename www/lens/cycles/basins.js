@@ -137,7 +137,8 @@ export class Basins extends CyclePanel {
           <ul class="endings" aria-label=${voice.say('basins.endings')}>${result && theme ? result.endings.map((ending, i) => html`
             <li><span class="swatch ${swingsOn(ending) ? 'swings' : ''}" style="background-color: ${colors[i]}"></span>${endingInWords(ending, voice)} <span class="of">${voice.say('basins.share', { share: voice.number((100 * ending.cells) / Math.max(1, known), 0) })}</span></li>`)
             : html`<li>${this.#work.isFailed ? voice.say('stability.none') : voice.say('basins.computing')}</li>`}
-            ${this.#work.isGoing && result ? html`<li class="of">${voice.say('basins.computing')}</li>` : nothing}
+            ${this.#work.isGoing && result ? html`<li class="of">${voice.say('basins.progress', { share: voice.number(100 * this.#work.fraction, 0) })}
+              <button type="button" class="plain" @click=${() => this.#work.cancel()}>${voice.say('basins.cancel')}</button></li>` : nothing}
           </ul>`}
       </div>`;
   }

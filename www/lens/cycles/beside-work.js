@@ -6,6 +6,8 @@
 
 /** So long the gear stands still before slow work is begun anew, in ms. */
 const patience = 200;
+/** How often it is told how much is done, in all. */
+const told = 50;
 
 /**
  * @template Spec, Result
@@ -14,6 +16,7 @@ export class BesideWork {
   /** @type {Result | null} */ result = null;
   /** Whether the result is of other values than those asked for. */ isOld = false;
   /** Whether the last one could not be computed. */ isFailed = false;
+  /** How much of slow work is done, 0 … 1. */ fraction = 0;
   /** Is called when there is something new. */ onChange = () => {};
   #run;
   #isSlow;
@@ -24,7 +27,7 @@ export class BesideWork {
   #timer = /** @type {ReturnType<typeof setTimeout> | null} */ (null);
 
   /**
-   * @param {(spec: Spec, options: { signal: AbortSignal, onPart?: (part: Result) => void }) => Promise<Result>} run
+   * @param {(spec: Spec, options: { signal: AbortSignal, onPart?: (part: Result) => void, onProgress?: (fraction: number) => void }) => Promise<Result>} run
    * @param {{ isSlow?: boolean }} [manner] slow work also shows what it has so far
    */
   constructor(run, { isSlow = false } = {}) {
@@ -57,6 +60,15 @@ export class BesideWork {
       }, patience);
   }
 
+  /** Gives up what is worked on: what there is of it stays, until something else is wanted. */
+  cancel() {
+    if (this.#timer !== null) clearTimeout(this.#timer);
+    this.#timer = null;
+    this.#done = this.#wanted?.key ?? '';
+    this.#going?.abort.abort();
+    this.onChange();
+  }
+
   /** Nobody looks any more. */
   stop() {
     if (this.#timer !== null) clearTimeout(this.#timer);
@@ -73,7 +85,13 @@ export class BesideWork {
     try {
       // While there is nothing else to see, what there is so far is seen.
       const onPart = this.result && !this.#isSlow ? undefined : (/** @type {Result} */ part) => !abort.signal.aborted && this.#put(wanted, part, !this.#isSlow);
-      const result = await this.#run(wanted.spec, { signal: abort.signal, ...(onPart && { onPart }) });
+      this.fraction = 0;
+      const onProgress = (/** @type {number} */ fraction) => {
+        const isNews = Math.floor(told * fraction) > Math.floor(told * this.fraction);
+        this.fraction = fraction;
+        if (isNews && !abort.signal.aborted) this.onChange();
+      };
+      const result = await this.#run(wanted.spec, { signal: abort.signal, ...(onPart && { onPart }), ...(this.#isSlow && { onProgress }) });
       if (!abort.signal.aborted) {
         this.#done = wanted.key;
         this.#put(wanted, result, this.#wanted?.key !== wanted.key);
@@ -88,6 +106,7 @@ export class BesideWork {
       }
     }
     this.#going = null;
+    if (abort.signal.aborted) this.onChange();
     this.#next();
   }
 

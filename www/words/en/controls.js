@@ -40,6 +40,7 @@ export const controls = {
   'scent.linear': 'linear theory, spring engaged: {caption}',
   'scent.linear.short': 'linear theory: {caption}',
   'scent.linear.shortest': 'linear theory',
+  'scent.small': 'small swings: {caption}',
   'scent.said.above': '{state} above {value}',
   'scent.said.below': '{state} below {value}',
   'scent.said.between': '{state} between {from} and {to}',

@@ -87,6 +87,8 @@ export const cycles = {
   'basins.unsettled': 'not settled yet',
   'basins.ending': '{name}, {amplitude}',
   'basins.share': '{share} %',
+  'basins.progress': 'Following many starts … {share} %',
+  'basins.cancel': 'Cancel',
   'basins.computing': 'Following many starts …',
 
   'methods.here': 'The gear as it is',

@@ -40,6 +40,7 @@ export const controls = {
   'scent.linear': 'doğrusal kuram, yay devrede: {caption}',
   'scent.linear.short': 'doğrusal kuram: {caption}',
   'scent.linear.shortest': 'doğrusal kuram',
+  'scent.small': 'küçük salınımlar: {caption}',
   'scent.said.above': '{value} üstünde {state}',
   'scent.said.below': '{value} altında {state}',
   'scent.said.between': '{from} ile {to} arasında {state}',

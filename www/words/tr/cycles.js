@@ -87,6 +87,8 @@ export const cycles = {
   'basins.unsettled': 'henüz yerleşmedi',
   'basins.ending': '{name}, {amplitude}',
   'basins.share': '%{share}',
+  'basins.progress': 'Birçok başlangıç izleniyor … %{share}',
+  'basins.cancel': 'Vazgeç',
   'basins.computing': 'Birçok başlangıç izleniyor …',
 
   'methods.here': 'Takım bu haliyle',
