@@ -284,3 +284,30 @@ fn refined_basins_are_those_of_every_cell() {
     let (endings, _) = some.endings();
     assert_eq!(endings.iter().map(|ending| ending.fate).collect::<Vec<_>>(), [Fate::Rest, Fate::Shimmy]);
 }
+
+/// Lanes have no dry friction: such a gear is followed by itself, and sticks.
+#[test]
+fn dry_friction_is_not_left_out() {
+    let spec = |moment: f64| {
+        record([
+            ("model", Value::Text("torsional".into())),
+            ("parameters", gear(40.0, 20.0, 0.0)),
+            ("friction", record([("moment", number(moment))])),
+            ("x", axis("state", "torsionAngle", -0.02, 0.02, 2)),
+            ("y", axis("state", "torsionRate", -1e-3, 1e-3, 1)),
+        ])
+    };
+    let end = |moment: f64| BasinsSpec::read(&spec(moment)).unwrap().made().unwrap().kind().to_vec();
+    assert_eq!(end(0.0), [Fate::Shimmy as u8; 2]);
+    // At 0.01 rad the spring asks for 1000 N m.
+    assert_eq!(end(2000.0), [Fate::Rest as u8; 2]);
+    let sweep = record([
+        ("model", Value::Text("torsional".into())),
+        ("parameters", gear(40.0, 20.0, 0.0)),
+        ("over", axis("parameter", "friction.moment", 0.0, 400.0, 3)),
+    ]);
+    let sweep = SweepSpec::read(&sweep).unwrap().made().unwrap();
+    // Carried on, the cycle lives with less amplitude; without friction it is that of theory.md 3.
+    assert!((sweep.up().amplitude[0] / 18.057_f64.to_radians() - 1.0).abs() < 5e-5);
+    assert!(sweep.up().amplitude.windows(2).all(|two| two[1] < two[0]), "{:?}", sweep.up().amplitude);
+}

@@ -62,8 +62,8 @@ impl Axis {
             }
             (None, _) => {
                 let (name, [from, to]) = range::read(fields)?;
-                let index = range::check(description.parameters, name, [from, to])?;
-                (description.parameters[index].name, What::Parameter(index), from, to)
+                let index = range::check(description.table, name, [from, to])?;
+                (description.table[index].name, What::Parameter(index), from, to)
             }
         };
         if to <= from {
@@ -166,7 +166,7 @@ impl Field {
             }
         }
         let names: Vec<&str> = self.axes.iter().map(|axis| axis.name).collect();
-        self.links.follow(self.run.description().parameters, &mut parameters, &names);
+        self.links.follow(self.run.description().table, &mut parameters, &names);
         (parameters, x)
     }
 

@@ -335,6 +335,7 @@ export type BasinsAxis = { from: number; to: number; count: number } & ({ parame
 export interface BasinsSpec {
   model: string;
   parameters?: Parameters | null;
+  friction?: Run['friction'];
   /** where a motion starts, but for the states on the axes; at rest, or where the axes are parameters a tenth of the first state's typical size from it */
   initial?: Record<string, number> | null;
   x: BasinsAxis;
@@ -369,6 +370,7 @@ export interface Basins {
 export interface SweepSpec {
   model: string;
   parameters?: Parameters | null;
+  friction?: Run['friction'];
   /** where a motion starts; a hundredth of the first state's typical size from rest */
   initial?: Record<string, number> | null;
   /** of one parameter the values from end to end, of a plane the centres of cells */
