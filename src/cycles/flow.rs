@@ -14,6 +14,8 @@ use crate::{
 
 /// Relative tolerance of the motions, or the run's own where that is finer.
 pub(super) const RTOL: f64 = 1e-10;
+/// The finest that is of use.
+const FINEST_RTOL: f64 = 1e-13;
 /// A period has at least so many steps: the motion's neighbours need them.
 const STEPS: f64 = 48.0;
 /// What takes more steps than this has no period.
@@ -30,8 +32,8 @@ pub(super) trait Flow {
     /// not get so far.
     fn carry(&mut self, x: &[f64], duration: f64, neighbours: bool) -> Option<(Vec<f64>, Square)>;
 
-    /// From now on no step is longer than what a period needs.
-    fn pace(&mut self, period: f64);
+    /// From now on motions are followed as a period asks for, or so many times finer.
+    fn pace(&mut self, period: f64, fineness: f64);
 
     /// How far a cycle swings in one period from `x`.
     ///
@@ -59,8 +61,14 @@ pub(super) struct Swing {
 /// A system's motions, with steps that fit a period.
 pub(super) struct Carrier<S, const N: usize> {
     motion: Integrator<S, N>,
+    /// Relative tolerance, where nothing finer is asked for.
+    relative: f64,
     scale: [f64; N],
     most_steps: u64,
+}
+
+fn tolerance<const N: usize>(relative: f64, scale: &[f64; N]) -> Tolerance<N> {
+    Tolerance { relative, absolute: scale.map(|scale| relative / 100.0 * scale) }
 }
 
 impl<S: Gear<N>, const N: usize> Carrier<S, N> {
@@ -82,14 +90,13 @@ impl<S: System<N>, const N: usize> Carrier<S, N> {
         period: f64,
         most_steps: u64,
     ) -> Result<Self> {
-        let tolerance = Tolerance { relative, absolute: scale.map(|scale: f64| relative / 100.0 * scale) };
         let method = match method {
             Method::Always(Scheme::RungeKutta4) => Method::Auto,
             method => method,
         };
-        let motion = Integrator::new(system, method, tolerance, 1.0, period / STEPS, [0.0; N])
+        let motion = Integrator::new(system, method, tolerance(relative, &scale), 1.0, period / STEPS, [0.0; N])
             .map_err(|failure| failed(failure, 0.0))?;
-        Ok(Self { motion, scale, most_steps })
+        Ok(Self { motion, relative, scale, most_steps })
     }
 
     /// Goes over to another system; says whether its equations are in finite numbers.
@@ -153,8 +160,9 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
         (end.iter().all(|x| x.is_finite()) && matrix.is_finite()).then(|| (self.scaled(&end), matrix))
     }
 
-    fn pace(&mut self, period: f64) {
-        self.motion.no_step_longer(period / STEPS);
+    fn pace(&mut self, period: f64, fineness: f64) {
+        let relative = (self.relative / fineness.powi(3)).max(FINEST_RTOL.min(self.relative));
+        self.motion.pace(period / (STEPS * fineness), tolerance(relative, &self.scale));
     }
 
     fn swing(&mut self, x: &[f64], period: f64) -> Result<Swing> {

@@ -121,7 +121,7 @@ fn settled(flow: &mut dyn Flow, x: &[f64], between: f64) -> Result<Option<Period
 fn told(flow: &mut dyn Flow, mut found: Periodic) -> Result<Option<LimitCycle>> {
     let mut fineness = 2.0;
     while (found.trivial - 1.0).abs() > TRIVIAL && fineness <= FINEST {
-        flow.pace(found.period / fineness);
+        flow.pace(found.period, fineness);
         let Some(finer) = shooting::periodic(flow, &found.x, found.period)? else { break };
         found = finer;
         fineness *= 2.0;

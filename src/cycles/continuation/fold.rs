@@ -250,7 +250,7 @@ impl FoldWalk {
             return Ok(Some(FoldEnd::Lost));
         }
         let n = self.here.place.x.len();
-        family.flow().pace(self.stops[self.stops.len() - 1].0.point.period);
+        family.flow().pace(self.stops[self.stops.len() - 1].0.point.period, 1.0);
         let plane = norm(&self.tangent[n + 1..]);
         self.length = self.length.min(LONGEST_STEP / plane).min(LONGEST_CHANGE / norm(&self.tangent[..=n]));
         let Some(equations) = Equations::around(family, &self.sheet, &self.here) else {

@@ -220,7 +220,7 @@ impl FoldCurves {
         }
         let Plane { x, y, .. } = &self.spec.plane;
         let period = seed.spot.place.time * if seed.sign < 0.0 { 2.0 } else { 1.0 };
-        self.family.flow().pace(period);
+        self.family.flow().pace(period, 1.0);
         self.family.aside(seed.spot.other);
         if !self.family.vary(seed.spot.place.value) {
             return Ok(());

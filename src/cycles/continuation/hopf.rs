@@ -243,7 +243,7 @@ impl Hopf {
             let value = if shift.abs() < 0.1 * (high - low) { self.value + shift } else { self.value };
             let x = self.swing(amplitude, 0.0);
             let border = vector(way.len() + 2, &|i| way.get(i).map_or(0.0, |part| part / size));
-            family.flow().pace(period);
+            family.flow().pace(period, 1.0);
             let place = Place { x, time, value: value.max(low).min(high) };
             if let Some(solved) = correct(family, &chart, &place, &border)
                 && (low..=high).contains(&solved.place.value)

@@ -317,7 +317,7 @@ impl Bifurcation {
     }
 
     fn vary(&mut self, value: f64, period: f64) -> bool {
-        self.family.flow().pace(period);
+        self.family.flow().pace(period, 1.0);
         self.family.vary(value)
     }
 
@@ -410,7 +410,7 @@ impl Bifurcation {
         }
         // A motion that leaves the numbers settles nowhere.
         let Ok(Some((x, between))) = self.family.settled(&x, HORIZON) else { return Ok(()) };
-        self.family.flow().pace(between);
+        self.family.flow().pace(between, 1.0);
         if let Ok(Some(found)) = super::settled(self.family.flow(), &x, between) {
             self.set_out(found, value);
         }

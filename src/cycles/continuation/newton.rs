@@ -26,8 +26,11 @@ const MATRICES: usize = 6;
 const STEPS: usize = 3;
 /// Steps with an old matrix go on as long as each is shorter than the one before by this factor.
 const GAINING: f64 = 0.2;
-/// By which part of its range the parameter is changed to see what that does.
+/// By which part of its range the parameter is changed to see what that does; by less where an arrival moves farther than
+/// this for it, so often.
 const ASIDE: f64 = 1e-5;
+const FAR: f64 = 1e-3;
+const DIFFERENCES: usize = 4;
 
 /// A cycle: a state on it in units of the typical sizes, the time after which it is back there (of a symmetric one: at the
 /// mirror image), and the parameter.
@@ -145,9 +148,7 @@ impl Solved {
         let flow = family.flow();
         let (end, around) = flow.carry(&place.x, place.time, true)?;
         let (leaving, arriving) = (flow.rate(&place.x), flow.rate(&end));
-        let aside = ASIDE * if place.value + ASIDE * chart.width() > chart.high { -1.0 } else { 1.0 };
-        family.vary(place.value + aside * chart.width()).then_some(())?;
-        let (other, _) = family.flow().carry(&place.x, place.time, false)?;
+        let slope = Self::slope(family, chart, &place, &end)?;
         let speed = norm(phase);
         let rows = matrix(n + 2, &|i, j| match (i, j) {
             _ if i == n + 1 => border[j],
@@ -160,10 +161,26 @@ impl Solved {
             }
             _ if j < n => around.at(i, j) - if i == j { sign } else { 0.0 },
             _ if j == n => arriving[i] * place.time / size,
-            _ => (other[i] - end[i]) / (aside * size),
+            _ => slope[i],
         });
         let around = Square::of(n, &|i, j| sign * around.at(i, j));
         Some((Self { place, around, leaving, rows }, end))
+    }
+
+    /// How the arrival changes with the parameter: by a difference so small that the arrival hardly moves.
+    fn slope(family: &mut dyn Family, chart: &Chart, place: &Place, end: &[f64]) -> Option<Vec<f64>> {
+        let mut aside = ASIDE * if place.value + ASIDE * chart.width() > chart.high { -1.0 } else { 1.0 };
+        for _ in 0..DIFFERENCES {
+            family.vary(place.value + aside * chart.width()).then_some(())?;
+            let (other, _) = family.flow().carry(&place.x, place.time, false)?;
+            let moved = times(1.0 / chart.size, &sum(&other, -1.0, end));
+            let far = norm(&moved);
+            if far < FAR {
+                return Some(times(1.0 / aside, &moved));
+            }
+            aside *= 0.1 * FAR / far;
+        }
+        None
     }
 
     /// The step that the equations ask for where a motion from x arrives at `end`.

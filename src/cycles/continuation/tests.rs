@@ -122,7 +122,7 @@ fn walked(
     let (sign, time) = if symmetric { (-1.0, 0.5 * period) } else { (1.0, period) };
     let chart = Chart { sign, size: 1.0, low: range[0], high: range[1] };
     let along: Vec<f64> = (0..x.len() + 2).map(|j| if j == x.len() + 1 { ahead } else { 0.0 }).collect();
-    family.flow().pace(period);
+    family.flow().pace(period, 1.0);
     let solved = correct(family, &chart, &Place { x: x.to_vec(), time, value }, &along).expect("a cycle");
     let start = Stop::of(family, &chart, solved, &along).unwrap();
     finished(family, Walk::new(start, LIMITS))

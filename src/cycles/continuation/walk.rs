@@ -17,8 +17,9 @@ use crate::{
     error::Result,
 };
 
-/// The first step, the shortest, and the longest: in an amplitude this part of it.
+/// The first step, one that is short, the shortest, and the longest: in an amplitude this part of it.
 const FIRST: f64 = 0.02;
+const SHORT: f64 = 1e-3;
 const SHORTEST: f64 = 1e-9;
 const LONGEST: f64 = 0.5;
 /// How far a branch may be from the tangent at the end of a step: a fourth of that from the straight line between its points.
@@ -31,6 +32,11 @@ const REST: f64 = 1e-3;
 const LARGE: f64 = 1e3;
 /// What a period may grow to, beside the shortest of its branch.
 const LONG: f64 = 100.0;
+/// Where the trivial multiplier is this good, motions need not be followed as finely.
+const EASY: f64 = 1e-9;
+/// So many cycles within so small a part of the range, the size and the period, and the branch gets nowhere any more.
+const STANDING: usize = 40;
+const PROGRESS: f64 = 0.02;
 /// How near to its first point a branch is when it has come back: parts of the range, the amplitude and the period.
 const CLOSED: f64 = 1e-3;
 
@@ -190,7 +196,7 @@ impl Walk {
         let period = place.time * if chart.sign < 0.0 { 2.0 } else { 1.0 };
         let mut fineness = 1.0;
         while fineness <= FINEST {
-            family.flow().pace(period / fineness);
+            family.flow().pace(period, fineness);
             let Some(solved) = correct(family, chart, place, border) else { return Ok(None) };
             let start = Stop::of(family, chart, solved, border)?;
             if start.is_sound() {
@@ -216,7 +222,12 @@ impl Walk {
         }
         // What leaves the numbers is no cycle.
         let Ok(Some((next, fit))) = self.next(family, &here) else {
-            self.length *= 0.4;
+            // Where a short step leads nowhere, too, errors may be in the way.
+            if self.length < SHORT && self.fineness < FINEST {
+                self.fineness *= 2.0;
+            } else {
+                self.length *= 0.4;
+            }
             return None;
         };
         if !next.is_sound() {
@@ -229,6 +240,9 @@ impl Walk {
             return None;
         }
         self.length *= factor.min(2.0);
+        if (next.point.multipliers[0] - 1.0).norm() < EASY {
+            self.fineness = (0.5 * self.fineness).max(1.0);
+        }
         for (kind, stop) in special::between(family, &here, &next, self.limits.tolerance).unwrap_or_default() {
             self.special.push((kind, self.stops.len()));
             self.stops.push(stop);
@@ -245,7 +259,7 @@ impl Walk {
         let Stop { tangent, chart, .. } = here;
         let within = |place: &Place| (chart.low..=chart.high).contains(&place.value);
         let guess = chart.ahead(&here.place, tangent, self.length);
-        family.flow().pace(here.point.period / self.fineness);
+        family.flow().pace(here.point.period, self.fineness);
         let found = if within(&guess) { correct(family, chart, &guess, tangent) } else { None };
         let (solved, guess, edge) = match found {
             Some(solved) if within(&solved.place) => (solved, guess, false),
@@ -283,9 +297,20 @@ impl Walk {
             Some(BranchEnd::Large)
         } else if self.comes_back(next) {
             Some(BranchEnd::Closed)
+        } else if self.stands(next) {
+            Some(BranchEnd::Lost)
         } else {
             None
         }
+    }
+
+    /// Whether many steps have led nearly nowhere, as they do where a cycle comes to pass a rest that it never leaves.
+    fn stands(&self, next: &Stop) -> bool {
+        let Some(before) = self.stops.len().checked_sub(STANDING).map(|place| &self.stops[place]) else { return false };
+        let moved = |from: f64, to: f64, unit: f64| (to - from).abs() < PROGRESS * unit;
+        moved(before.point.value, next.point.value, next.chart.width())
+            && moved(before.chart.size, next.chart.size, next.chart.size)
+            && moved(before.point.period, next.point.period, next.point.period)
     }
 
     /// Whether the first cycle lies between the last and the next one.

@@ -190,9 +190,9 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         self.restart(t, x).inspect_err(|_| self.system = before)
     }
 
-    /// From now on no step is longer.
-    pub(crate) fn no_step_longer(&mut self, longest_step: f64) {
-        self.longest_step = longest_step;
+    /// From now on no step is longer, and none is wrong by more.
+    pub(crate) fn pace(&mut self, longest_step: f64, tolerance: Tolerance<N>) {
+        (self.longest_step, self.tolerance) = (longest_step, tolerance);
     }
 
     /// Time at the end of the last step.
