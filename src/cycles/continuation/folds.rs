@@ -4,8 +4,9 @@ use std::rc::Rc;
 
 use super::{
     Bifurcation, BifurcationSpec, PointKind,
+    bordered::{Sheet, Spot},
     family::{Family, RunAt, family},
-    fold::{FoldEnd, FoldWalk, Sheet, Spot},
+    fold::{FoldEnd, FoldWalk},
     newton::{Chart, Place},
     passes,
 };

@@ -4,12 +4,13 @@ use nalgebra::{Complex, DMatrix};
 
 use super::{
     family::Family,
+    field::{self, Field},
     newton::{Chart, Place, Solved, correct},
 };
 use crate::{
     cycles::{
         shooting::is_odd,
-        vector::{complex, imaginary, matrix, norm, real, sum, times, vector},
+        vector::{complex, imaginary, matrix, norm, real, sum, vector},
     },
     error::Result,
     stability::{Crossing, Linearisation, Triangle},
@@ -23,9 +24,6 @@ const HALVINGS: usize = 6;
 const SMOOTH: f64 = 0.2;
 /// Beyond this no piece matters.
 const FARTHEST: f64 = 10.0;
-/// The longest step from rest over which derivatives are taken, and how often it is halved.
-const ASIDE: f64 = 0.1;
-const LEVELS: usize = 3;
 /// A growth by less than this part of ω at the typical size is rounding: the gear is linear.
 const LINEAR: f64 = 1e-9;
 /// By which part of the range the parameter is changed to see how eigenvalues move.
@@ -201,7 +199,7 @@ impl Hopf {
         left: &[Complex<f64>],
     ) -> Complex<f64> {
         let [a, b] = &self.shape;
-        let room = ASIDE.min(0.5 * self.reach);
+        let room = field::ASIDE.min(0.5 * self.reach);
         let mut field = Field { family, rest: &self.rest, room };
         let (square_a, square_b) = (field.second(a), field.second(b));
         let mixed = field.bilinear(a, b);
@@ -291,68 +289,4 @@ fn inner(a: &[Complex<f64>], b: &[Complex<f64>]) -> Complex<f64> {
 fn applied(matrix: &DMatrix<f64>, vector: &[Complex<f64>]) -> Vec<Complex<f64>> {
     let row = |i: usize| (0..vector.len()).fold(Complex::from(0.0), |sum, j| sum + vector[j] * matrix[(i, j)]);
     complex(vector.len(), &row)
-}
-
-/// The equations' right-hand side near rest.
-struct Field<'a> {
-    family: &'a mut dyn Family,
-    rest: &'a [f64],
-    /// How far from rest it may be asked.
-    room: f64,
-}
-
-impl Field<'_> {
-    fn at(&mut self, way: &[f64], part: f64) -> Vec<f64> {
-        self.family.flow().rate(&sum(self.rest, part, way))
-    }
-
-    /// An even or odd difference over halved steps, extrapolated to none.
-    fn extrapolated(&mut self, way: &[f64], steps: f64, difference: &dyn Fn(&mut Self, f64) -> Vec<f64>) -> Vec<f64> {
-        let length = norm(way);
-        if length == 0.0 {
-            return vec![0.0; way.len()];
-        }
-        let mut table: Vec<Vec<f64>> = Vec::with_capacity(LEVELS);
-        for level in 0..LEVELS {
-            let h = self.room / (steps * length) * 0.5_f64.powi(level as i32);
-            let mut row = difference(self, h);
-            for (k, before) in table.iter_mut().enumerate() {
-                let weight = 4.0_f64.powi(k as i32 + 1);
-                let better = vector(row.len(), &|i| (weight * row[i] - before[i]) / (weight - 1.0));
-                *before = std::mem::replace(&mut row, better);
-            }
-            table.push(row);
-        }
-        table.pop().unwrap_or_default()
-    }
-
-    /// d²f/ds² along `way`.
-    fn second(&mut self, way: &[f64]) -> Vec<f64> {
-        self.extrapolated(way, 1.0, &|field, h| {
-            let [before, here, after] = [-h, 0.0, h].map(|part| field.at(way, part));
-            vector(way.len(), &|i| (after[i] + before[i] - 2.0 * here[i]) / (h * h))
-        })
-    }
-
-    /// d³f/ds³ along `way`.
-    fn third(&mut self, way: &[f64]) -> Vec<f64> {
-        self.extrapolated(way, 2.0, &|field, h| {
-            let [far, before, after, ahead] = [-2.0 * h, -h, h, 2.0 * h].map(|part| field.at(way, part));
-            let entry = |i: usize| ((ahead[i] - far[i]) - 2.0 * (after[i] - before[i])) / (2.0 * h * h * h);
-            vector(way.len(), &entry)
-        })
-    }
-
-    /// B(a, b).
-    fn bilinear(&mut self, a: &[f64], b: &[f64]) -> Vec<f64> {
-        let [plus, minus] = [1.0, -1.0].map(|sign| self.second(&sum(a, sign, b)));
-        times(0.25, &sum(&plus, -1.0, &minus))
-    }
-
-    /// B(a, b) of complex directions.
-    fn complex_bilinear(&mut self, a: &[Complex<f64>], b: &[Complex<f64>]) -> Vec<Complex<f64>> {
-        let ([a, ai], [b, bi]) = ([real(a), imaginary(a)], [real(b), imaginary(b)]);
-        let [rr, ii, ri, ir] = [(&a, &b), (&ai, &bi), (&a, &bi), (&ai, &b)].map(|(a, b)| self.bilinear(a, b));
-        complex(a.len(), &|i| Complex::new(rr[i] - ii[i], ri[i] + ir[i]))
-    }
 }

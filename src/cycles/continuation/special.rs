@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::{family::Family, newton::correct, walk::Stop};
+use super::{family::Family, newton::correct, stop::Stop};
 use crate::{
     cycles::vector::{direction, norm},
     error::Result,

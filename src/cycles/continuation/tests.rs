@@ -9,7 +9,8 @@ use super::{
     hopf::{AtRest, Criticality, Hopf, Told},
     newton::{Chart, Place, correct},
     special::PointKind,
-    walk::{BranchEnd, Limits, Stop, Walk},
+    stop::Stop,
+    walk::{BranchEnd, Limits, Walk},
 };
 use crate::{
     cycles::shooting::is_odd,
