@@ -5,6 +5,7 @@
 
 import { Quantity } from './controls/quantity.js';
 import { isVelocityUnit } from './controls/unit.js';
+import { modelsOf } from './engine/models.js';
 import { clockCommands, handsOff } from './commands/clock.js';
 import { controlCommands } from './commands/controls.js';
 import { experimentCommands } from './commands/experiment.js';
@@ -101,7 +102,7 @@ export class App {
 
   /** The tables of all models; none before the engine is there. They never change, so they are asked for once. */
   get models() {
-    this.#models ??= this.engine?.models() ?? null;
+    this.#models ??= this.engine ? modelsOf(this.engine) : null;
     return this.#models ?? [];
   }
 

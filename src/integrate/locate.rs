@@ -183,15 +183,15 @@ fn first_fall_from_zero(
             first_fall(&rest, up, 1.0, switch)
                 .filter(|&theta| theta == 1.0 || falls_below(&split(course, theta).1, noise))
         }
-        // It has hardly been above, if at all: back from where it is below to where it comes from.
+        // It has hardly been above: back from where it is below to where it comes from. Or, but for rounding, not at all.
         _ => match down {
-            Some(down) => {
+            Some(down) if touch[1] > noise => {
                 let mut back = split(course, down).0.map(|c| -c);
                 back.reverse();
                 back[0] = touch[1];
                 Some(down * (1.0 - first_fall(&back, 0.0, 1.0, &|theta| -switch(down * (1.0 - theta))).unwrap_or(1.0)))
             }
-            None => falls_below(course, noise).then_some(0.0),
+            _ => (down.is_some() || falls_below(course, noise)).then_some(0.0),
         },
     }
 }

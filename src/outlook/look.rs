@@ -84,7 +84,7 @@ pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
 }
 
 /// Whether friction holds the first state away from the middle.
-fn held<S: Gear<N>, const N: usize>(motion: &Integrator<S, N>) -> bool {
+pub(super) fn held<S: Gear<N>, const N: usize>(motion: &Integrator<S, N>) -> bool {
     motion.system().sticks() && motion.state()[0] != 0.0 && motion.derivative()[0] == 0.0
 }
 

@@ -78,6 +78,8 @@ pub struct Outlook {
     pub verdict: Verdict,
     /// It has arrived there from the start on.
     pub settled: bool,
+    /// Where it rests, dry friction holds it away from the middle.
+    pub held: bool,
     /// Largest |·| of every state over a cycle of the motion it goes to.
     pub amplitude: Vec<f64>,
     /// Cycles per second of that motion; none where it does not oscillate.
@@ -100,7 +102,7 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Outl
     let x = posed.initial();
     let motion = posed.motion(horizon / 20.0)?;
     if motion.derivative().iter().all(|rate| *rate == 0.0) {
-        return Ok(resting(x));
+        return Ok(resting(x, posed.system.sticks()));
     }
     let mut look = look_ahead(motion, posed.tables.description.state, horizon, posed.run.max_steps())?;
     let (mut amplitude, frequency) = match &look.destination {
@@ -129,6 +131,7 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Outl
     Ok(Outlook {
         verdict,
         settled: arrived,
+        held: verdict == Verdict::Rests && look::held(&look.motion),
         amplitude: if verdict == Verdict::DiesOut { vec![0.0; N] } else { amplitude.to_vec() },
         frequency: if verdict == Verdict::DiesOut { None } else { frequency },
         present_amplitude,
@@ -139,10 +142,11 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Outl
     })
 }
 
-fn resting<const N: usize>(x: [f64; N]) -> Outlook {
+fn resting<const N: usize>(x: [f64; N], sticks: bool) -> Outlook {
     Outlook {
         verdict: Verdict::Rests,
         settled: true,
+        held: sticks && x[0] != 0.0,
         amplitude: x.map(f64::abs).to_vec(),
         frequency: None,
         present_amplitude: x[0].abs(),

@@ -70,7 +70,8 @@ impl Run {
         let mut run = Run::of(text("model", model)?)?;
         if let Some(values) = given("parameters") {
             for (name, value) in present("parameters", values)? {
-                let table = run.description().parameters;
+                // Dotted names too, as a live motion gives its parameters.
+                let table = run.table();
                 run.set_parameter(name, number_of(table, name, value)?)?;
             }
         }

@@ -93,6 +93,7 @@ pub(super) fn outlook(run: &Run, outlook: &Outlook) -> JsValue {
     Record::new()
         .text("verdict", outlook.verdict.name())
         .truth("settled", outlook.settled)
+        .truth("held", outlook.held)
         .record("amplitude", by_state(states, &outlook.amplitude))
         .maybe("frequency", outlook.frequency)
         .record("present", present)

@@ -1,4 +1,4 @@
-/** Values of parameters by name, SI units; a missing one takes its default. */
+/** Values of parameters by name, SI units, those of elements by dotted names too; a missing one takes its default. */
 export type Parameters = Record<string, number>;
 /** One parameter of a table. `min`, `max`: a slider's range; what is valid is wider, see `doc`. */
 export interface Parameter { name: string; symbol: string; unit: string; default: number; min: number; max: number; scale: 'linear' | 'log'; doc: string }
@@ -53,6 +53,8 @@ export interface Outlook {
   verdict: 'shimmies' | 'dies-out' | 'rattles' | 'grows' | 'rests';
   /** it is there already */
   settled: boolean;
+  /** where it rests, dry friction holds it away from the middle */
+  held: boolean;
   /** largest |·| of every state in the motion it goes to */
   amplitude: Record<string, number>;
   /** Hz */

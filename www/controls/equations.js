@@ -72,7 +72,7 @@ function torsional(p, voice) {
   const within = mathml`<mtext>${voice.say('equation.within')}</mtext>`;
   return [
     equal(product(p('I_z'), twiceDotted(psi)), minus(p('k'), of(written('s'), psi)), minus(p('c'), dotted(psi)),
-      minus(fraction(p('κ'), p('v')), dotted(psi)), plus(aligningMoment), minus(p('e'), sideForce)),
+      minus(fraction(p('κ'), p('v')), dotted(psi)), plus(aligningMoment), minus(p('e'), sideForce), minus(p('M_f'), sign(dotted(psi)))),
     kinematics(p),
     equal(alpha, plus(of(named('arctan'), compared(y, '/', p('σ'))))),
     equal(sideForce, cases(
@@ -96,7 +96,7 @@ function torsionalLinear(p) {
   const slope = mathml`${p('c_Mα')}<mo>+</mo>${product(p('e'), p('c_Fα'))}`;
   return [
     equal(product(p('I_z'), twiceDotted(psi)), minus(p('k'), psi), minus(p('c'), dotted(psi)),
-      minus(fraction(p('κ'), p('v')), dotted(psi)), minus(bracketed(slope), p('F_z'), fraction(written('y'), p('σ')))),
+      minus(fraction(p('κ'), p('v')), dotted(psi)), minus(bracketed(slope), p('F_z'), fraction(written('y'), p('σ'))), minus(p('M_f'), sign(dotted(psi)))),
     kinematics(p),
   ];
 }

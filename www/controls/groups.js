@@ -7,7 +7,7 @@
 /** @type {readonly (readonly [Group, readonly string[]])[]} */
 const groups = [
   ['motion', ['velocity', 'verticalForce']],
-  ['gear', ['dampingConstant', 'torsionalStiffness', 'momentOfInertia', 'casterLength']],
+  ['gear', ['dampingConstant', 'friction.moment', 'torsionalStiffness', 'momentOfInertia', 'casterLength']],
   ['tire', [
     'halfContactLength', 'relaxationLength', 'sideForceDerivative', 'sideForceLimitAngle', 'aligningMomentDerivative',
     'aligningMomentLimitAngle', 'treadWidthMomentConstant',

@@ -5,9 +5,10 @@
  * @typedef {import('../pkg/shimmy.js').UnstableInterval} UnstableInterval
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {import('./quantity.js').Quantity} Quantity
- * @typedef {{ intervals: readonly UnstableInterval[], isOnlyLinear: boolean, isOnlySmall?: boolean, isDivergent: boolean }} Unstable what linear
- *   theory finds over a slider's range. `isOnlyLinear`: the gear itself may do otherwise, as in its freeplay;
- *   `isOnlySmall`: a wide swing does otherwise, for a cycle reaches beyond the boundary.
+ * @typedef {{
+ *   intervals: readonly UnstableInterval[], isOnlyLinear: boolean, isOnlySmall?: boolean, isDivergent: boolean, leavesOut?: 'friction' | 'both' | null,
+ * }} Unstable what linear theory finds over a slider's range. `isOnlyLinear`: the gear itself may do otherwise, as in its freeplay;
+ *   `leavesOut`: for its friction, or for both; `isOnlySmall`: a wide swing does otherwise, for a cycle reaches beyond the boundary.
  *   `isDivergent`: where all of the range is unstable, the wheel does not swing but turns aside
  * @typedef {{ place: number, number: string }} Mark a boundary: its place on the track, 0 … 1, and its number
  * @typedef {{ above: readonly string[], below: readonly string[], between: readonly string[], all: readonly string[], least: readonly string[] }} Captions
@@ -50,16 +51,18 @@ function boundariesOf(intervals) {
  * @param {Unstable} unstable
  * @param {Voice} voice
  */
-function phrasesOf({ isOnlyLinear, isOnlySmall, isDivergent }, voice) {
+function phrasesOf({ isOnlyLinear, isOnlySmall, isDivergent, leavesOut }, voice) {
+  const theories = /** @type {const} */ ({ friction: ['scent.frictionless', 'scent.frictionless.short'], both: ['scent.both', 'scent.both.short'], gap: ['scent.linear', 'scent.linear.short'] });
+  const [whole, short] = theories[leavesOut ?? 'gap'];
   /** @param {boolean} isStable @param {UnstableInterval['fromKind']} kind of the boundary that it is told of */
   const state = (isStable, kind) => {
     if (isOnlyLinear || isOnlySmall) return voice.say(isStable ? 'scent.stable' : 'scent.unstable');
     if (isStable) return voice.say('scent.dies-out');
     return voice.say(kind === 'divergence' || (kind === 'range' && isDivergent) ? 'scent.turns-aside' : 'scent.shimmies');
   };
-  const theory = (/** @type {string} */ caption) => (isOnlyLinear ? voice.say('scent.linear', { caption }) : isOnlySmall ? voice.say('scent.small', { caption }) : caption);
+  const theory = (/** @type {string} */ caption) => (isOnlyLinear ? voice.say(whole, { caption }) : isOnlySmall ? voice.say('scent.small', { caption }) : caption);
   const wordings = (/** @type {string} */ caption) =>
-    isOnlyLinear ? [theory(caption), voice.say('scent.linear.short', { caption })] : isOnlySmall ? [theory(caption)] : [caption];
+    isOnlyLinear ? [theory(caption), voice.say(short, { caption })] : isOnlySmall ? [theory(caption)] : [caption];
   return { voice, state, theory, wordings, least: isOnlyLinear ? [voice.say('scent.linear.shortest')] : [] };
 }
 

@@ -2,7 +2,7 @@ import { readers } from '../link/read.js';
 import { version } from '../link/write.js';
 
 /** What of a run the page takes, and what it chooses itself: how long and how exactly to compute. */
-const understood = ['model', 'parameters', 'initial', 'duration', 'samples', 'times', 'method', 'rtol', 'atol', 'step', 'maxSteps'];
+const understood = ['model', 'parameters', 'friction', 'initial', 'duration', 'samples', 'times', 'method', 'rtol', 'atol', 'step', 'maxSteps'];
 
 /**
  * The address of the experiment that a file of a run holds, for the page to open as it opens any link: what it cannot
@@ -16,6 +16,7 @@ export function linkOfRun(text) {
   for (const [key, value] of Object.entries(run)) if (!understood.includes(key) && value !== null) pairs.append(`run.${key}`, JSON.stringify(value));
   // A parameter of a key's name is no key.
   if (isRecord(run.parameters)) for (const [key, value] of Object.entries(run.parameters)) pairs.append(Object.hasOwn(readers, key) || key.includes('.') ? `parameters.${key}` : key, JSON.stringify(value));
+  if (isRecord(run.friction)) for (const [key, value] of Object.entries(run.friction)) if (value !== null) pairs.append(`friction.${key}`, JSON.stringify(value));
   if (isRecord(run.initial)) for (const [key, value] of Object.entries(run.initial)) pairs.append(`initial.${key}`, JSON.stringify(value));
   return `#${pairs}`;
 }

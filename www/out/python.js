@@ -14,6 +14,9 @@ export function pythonOf(run, table, ours, { file, link }) {
   const model = pythonModel(run.model);
   if (!model) throw new Error(`no equations in Python for ${run.model}`);
   const { state } = table;
+  const valueOf = (/** @type {string} */ name) => (name.startsWith('friction.') ? run.friction?.[name.slice('friction.'.length)] : run.parameters[name]) ?? 0;
+  const rubs = valueOf('friction.moment') > 0;
+  const values = table.parameters.filter(({ name }) => rubs || name !== 'friction.moment');
   const series = /** @type {Record<string, ArrayLike<number>>} */ (ours);
   return `#!/usr/bin/env python3
 """One run of a nose landing gear's wheel, computed once more by SciPy.
@@ -24,7 +27,7 @@ export function pythonOf(run, table, ours, { file, link }) {
 It needs SciPy (pip install scipy), and matplotlib for the plot. It ends with exit code 1 where the two
 differ by more than a millionth of the largest value.
 
-${model.subject}
+${model.subject}${rubs ? frictionSubject : ''}
 
 ψ is the angle of the wheel about its steering axis, counter-clockwise from above; y the lateral
 deformation of the tire at its leading contact point, to the left of the wheel plane.
@@ -38,7 +41,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 # The gear: each value under its name and its symbol.
-${aligned(table.parameters.map(({ name, symbol, unit }) => [`${snake(name)} = ${symbol} = ${float(run.parameters[name])}`, unit]))}
+${aligned(values.map(({ name, symbol, unit }) => [`${snake(name)} = ${symbol} = ${float(valueOf(name))}`, unit]))}
 
 # The state, as it starts and as large as it typically is: the absolute tolerance follows from that.
 NAMES = (${state.map(({ name, unit }) => `"${words(name)} (${unit})"`).join(', ')})
@@ -52,17 +55,13 @@ ${Array.from(ours.time, (time, i) => `    (${[time, ...state.map(({ name }) => s
 ALLOWED = 1e-6  # of the largest value
 
 
-${model.rates}
+${rubs ? `${model.load}
 
 
-def integrate(times):
-    """SciPy's motion at these times. Where the equations have a kink, the tight tolerance makes it step finely."""
-    motion = solve_ivp(
-        rates, (0.0, times[-1]), INITIAL, method="DOP853", t_eval=times, rtol=1e-12, atol=1e-14 * SCALES
-    )
-    if not motion.success:
-        sys.exit(f"SciPy gave up: {motion.message}")
-    return motion.y
+${frictionRates}` : `${model.rates}
+
+
+${smooth}`}
 
 
 def plot(times, ours):
@@ -109,6 +108,62 @@ if __name__ == "__main__":
 `;
 }
 
+/** Motion without friction. */
+const smooth = `def integrate(times):
+    """SciPy's motion at these times. Where the equations have a kink, the tight tolerance makes it step finely."""
+    motion = solve_ivp(
+        rates, (0.0, times[-1]), INITIAL, method="DOP853", t_eval=times, rtol=1e-12, atol=1e-14 * SCALES
+    )
+    if not motion.success:
+        sys.exit(f"SciPy gave up: {motion.message}")
+    return motion.y`;
+
+const frictionSubject = `
+
+Dry friction adds the moment -M_f sign ψ'. Where ψ' = 0 it is as much as is needed to stay there, up to
+M_f: the wheel sticks until the other moments are larger.`;
+
+/** Motion with friction, one phase after the other: SciPy's events find where the wheel stops and where it is let go. */
+const frictionRates = `def rates(time, state, sense):
+    """The equations above; sense is the sign of ψ', or 0 where friction holds the wheel."""
+    ψ, ψ_rate, y = state
+
+    ψ_acceleration = (load(ψ, y) - (c + κ / v) * ψ_rate - M_f * sense) / I_z if sense else 0.0
+    y_rate = v * ψ + (e - a) * ψ_rate - v / σ * y
+    return ψ_rate, ψ_acceleration, y_rate
+
+
+def stop(time, state, sense):
+    """Falls through zero where the wheel stops, or where friction can no longer hold it."""
+    return sense * state[1] if sense else M_f - abs(load(state[0], state[2]))
+
+
+stop.terminal, stop.direction = True, -1
+
+
+def integrate(times):
+    """SciPy's motion at these times, from stop to stop. Where the equations have a kink, the tight tolerance makes it
+    step finely."""
+    time, state, found = 0.0, np.array(INITIAL), []
+    sense = np.sign(state[1]) or (np.sign(load(state[0], state[2])) if stop(0.0, state, 0) < 0 else 0)
+    while len(found) < len(times):
+        motion = solve_ivp(
+            rates, (time, times[-1]), state, method="DOP853", t_eval=times[len(found):], args=(sense,), events=stop,
+            rtol=1e-12, atol=1e-14 * SCALES
+        )
+        if motion.status < 0:
+            sys.exit(f"SciPy gave up: {motion.message}")
+        found += list(np.transpose(motion.y)) if len(motion.t) else []
+        if motion.status == 1:
+            time, state = motion.t_events[0][-1], np.array(motion.y_events[0][-1])
+            torque = load(state[0], state[2])
+            if sense:
+                state[1] = 0.0
+                sense = np.sign(torque) if abs(torque) > M_f else 0
+            else:
+                sense = np.sign(torque)
+    return np.transpose(found)`;
+
 /** Lines of code with their comments one under the other. @param {[code: string, comment: string][]} lines */
 function aligned(lines) {
   const width = Math.max(...lines.map(([code]) => code.length));
@@ -117,7 +172,7 @@ function aligned(lines) {
 
 /** @param {string} name `torsionAngle` → `torsion_angle` */
 function snake(name) {
-  return name.replaceAll(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
+  return name.replaceAll('.', '_').replaceAll(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 }
 
 /** @param {string} name `torsionAngle` → `torsion angle` */

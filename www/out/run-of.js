@@ -1,3 +1,5 @@
+import { nested } from '../engine/models.js';
+
 /**
  * The experiment of the page as a run that says everything itself: every parameter and every start, whatever the
  * defaults of a later version, and tolerances at which anybody's solver comes to the same numbers.
@@ -5,7 +7,7 @@
  * @typedef {import('../engine/engine.js').Model} Model
  * @typedef {Pick<import('../store.js').State, 'object' | 'parameters' | 'run'>} Experiment
  * @typedef {{
- *   model: string, parameters: Record<string, number>, initial: Record<string, number>,
+ *   model: string, parameters: Record<string, number>, friction?: Record<string, number>, initial: Record<string, number>,
  *   duration: number, samples: number, rtol: number,
  * }} WholeRun
  *
@@ -19,7 +21,7 @@ export function runOf({ object, parameters, run }, table, duration) {
   const interval = duration <= 10 ? 5e-4 : 1e-3;
   return {
     model: object,
-    parameters: Object.fromEntries(table.parameters.map(({ name, default: usual }) => [name, parameters[name] ?? usual])),
+    ...nested(Object.fromEntries(table.parameters.map(({ name, default: usual }) => [name, parameters[name] ?? usual]))),
     initial: Object.fromEntries(table.state.map(({ name }) => [name, run.initial[name] ?? 0])),
     duration,
     samples: Math.max(2, Math.round(duration / interval) + 1),

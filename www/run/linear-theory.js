@@ -56,7 +56,8 @@ export class LinearTheory {
       const isAll = intervals.length === 1 && intervals[0].fromKind === 'range' && intervals[0].toKind === 'range';
       // a₀, the last of the column, is what a wheel that turns aside lacks.
       const isDivergent = isAll && (this.#engine.routhHurwitz(run).column.at(-1) ?? 1) <= 0;
-      return { intervals, isOnlyLinear: (parameters.freeplayAngle ?? 0) > 0, isDivergent };
+      const [isGapped, isRubbed] = [(parameters.freeplayAngle ?? 0) > 0, (parameters['friction.moment'] ?? 0) > 0];
+      return { intervals, isOnlyLinear: isGapped || isRubbed, isDivergent, leavesOut: isRubbed ? (isGapped ? 'both' : 'friction') : null };
     } catch {
       // Values so wild that the conditions leave the numbers: nothing is said of them.
       return null;

@@ -89,6 +89,7 @@ export function onward({ object: model, parameters, stateByName: initial }) {
 const nothingAhead = {
   verdict: 'rests',
   settled: true,
+  held: false,
   amplitude: { torsionAngle: 0, torsionRate: 0, lateralDeformation: 0 },
   frequency: null,
   present: { amplitude: 0, frequency: null, trend: 'steady' },

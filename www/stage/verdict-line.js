@@ -18,10 +18,13 @@ const least = 0.005 / degrees;
  * @returns {{ text: string, isExtra?: boolean }[]}
  */
 export function numbersOf(outlook, voice) {
-  const { verdict, settled, amplitude, frequency, present } = outlook;
+  const { verdict, settled, held, amplitude, frequency, present } = outlook;
   const manner = mannerOf(outlook);
   const aside = (/** @type {number} */ angle) => ({ angle: swing(angle, voice).replace('±', '') });
   const isAside = amplitude.torsionAngle > least;
+  const stopped = aside(amplitude.torsionAngle);
+  if (held && manner === 'rests') return [{ text: voice.say('verdict.sticks.aside', stopped) }];
+  if (held && (manner === 'stops' || manner === 'creeps')) return [{ text: voice.say('verdict.sticks.at', stopped) }];
   if (manner === 'rests') return [{ text: isAside && !settled ? voice.say('verdict.rests.aside', aside(amplitude.torsionAngle)) : voice.say('verdict.rests.hint') }];
   if (manner === 'stops' || (manner === 'creeps' && isAside)) return [{ text: voice.say('verdict.rests.at', aside(amplitude.torsionAngle)) }];
   if (manner === 'creeps') return [{ text: voice.say('verdict.creeping', aside(present.amplitude)) }];
@@ -38,6 +41,12 @@ export function numbersOf(outlook, voice) {
   if (verdict === 'grows') return [{ text: trend }, ...hertz, { ...limit, isExtra: true }];
   if (present.amplitude > trusted) return [{ text: trend }, ...hertz, limit];
   return [{ text: trend }, ...hertz, { text: voice.say('verdict.heads', { amplitude: goal }), isExtra: true }];
+}
+
+/** The verdict's word: a wheel that friction holds does not just rest. @param {Outlook} outlook @returns {import('../words/voice.js').Key} */
+export function wordOf(outlook) {
+  const manner = mannerOf(outlook);
+  return outlook.held && manner === 'rests' ? 'verdict.sticks' : `verdict.${manner}`;
 }
 
 /**

@@ -1,7 +1,7 @@
 import { LitElement, html, svg } from 'lit';
 import { veil } from '../present/veil.js';
 import { mannerOf } from './manner.js';
-import { heldLine, numbersOf } from './verdict-line.js';
+import { heldLine, numbersOf, wordOf } from './verdict-line.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
@@ -67,7 +67,7 @@ export class Verdict extends LitElement {
     if (!outlook) return html``;
     const manner = mannerOf(outlook);
     return html`
-      <h1 data-verdict=${manner}>${icon(manner)}<span>${voice.say(`verdict.${manner}`)}</span></h1>
+      <h1 data-verdict=${manner}>${icon(manner)}<span>${voice.say(wordOf(outlook))}</span></h1>
       <p class="verdict-numbers">${numbersOf(outlook, voice).map(({ text, isExtra }, i) => html`
         <span class=${isExtra ? 'extra' : ''}>${i ? html`<span class="dot">·</span> ` : ''}${text}</span>`)}</p>
       <p class="only-heard" aria-live="polite">${this.spoken}</p>`;
@@ -84,7 +84,7 @@ export class Verdict extends LitElement {
   /** @param {Outlook} outlook @param {Voice} voice */
   #speak(outlook, voice) {
     const manner = mannerOf(outlook);
-    const key = `${voice.language} ${manner} ${outlook.settled} ${this.occasion}`;
+    const key = `${voice.language} ${manner} ${outlook.settled} ${outlook.held} ${this.occasion}`;
     if (key === this.#spokenKey) return;
     clearTimeout(this.#later);
     const wait = this.#spokenAt + shortestSilence - performance.now();
@@ -94,7 +94,7 @@ export class Verdict extends LitElement {
     }
     this.#spokenKey = key;
     this.#spokenAt = performance.now();
-    this.spoken = [voice.say(`verdict.${manner}`), ...numbersOf(outlook, voice).map(({ text }) => text)].join(', ');
+    this.spoken = [voice.say(wordOf(outlook)), ...numbersOf(outlook, voice).map(({ text }) => text)].join(', ');
     this.#later = setTimeout(() => { this.spoken = ''; }, heardFor);
   }
 }

@@ -8,6 +8,7 @@
  * @typedef {import('./story.js').Step} Step
  */
 
+import { modelsOf } from '../engine/models.js';
 import { decimalsOf } from '../words/number.js';
 import { objectOf, parametersOf } from './story.js';
 
@@ -21,7 +22,7 @@ const degrees = 180 / Math.PI;
  */
 export function factsOf(engine, { state, asks }, voice) {
   const model = objectOf(state);
-  const parameters = parametersOf(state, engine.models());
+  const parameters = parametersOf(state, modelsOf(engine));
   const run = { model, parameters, initial: state.initial };
   const ghost = state.ghosts?.[0] ?? {};
   const plain = (/** @type {number} */ value) => voice.number(value, decimalsOf(value, 0));

@@ -2,9 +2,9 @@ import { torsionalLinear } from './torsional-linear.js';
 import { torsional } from './torsional.js';
 
 /**
- * @typedef {{ subject: string, imports: string[], rates: string }} PythonModel
+ * @typedef {{ subject: string, imports: string[], rates: string, load: string }} PythonModel
  *   `subject`: what the model is, with source and equations; `imports`: from `math`; `rates`: a function of time and state
- *   that knows each parameter by its symbol
+ *   that knows each parameter by its symbol; `load`: a function of ψ and y, the moments on a wheel at rest that friction may hold
  */
 
 /**

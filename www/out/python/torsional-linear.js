@@ -23,4 +23,10 @@ Technology 8 (1997) 545-555. SI units and radians:
     ψ_acceleration = (-k * ψ - (c + κ / v) * ψ_rate + M_z - e * F_y) / I_z
     y_rate = v * ψ + (e - a) * ψ_rate - v / σ * y
     return ψ_rate, ψ_acceleration, y_rate`,
+  load: `def load(ψ, y):
+    """The moments on a wheel that does not turn, but for friction."""
+    α = y / σ
+    F_y = c_Fα * F_z * α
+    M_z = -c_Mα * F_z * α
+    return -k * ψ + M_z - e * F_y`,
 };

@@ -27,4 +27,11 @@ export const torsional = {
     ψ_acceleration = (-k * s - (c + κ / v) * ψ_rate + M_z - e * F_y) / I_z
     y_rate = v * ψ + (e - a) * ψ_rate - v / σ * y
     return ψ_rate, ψ_acceleration, y_rate`,
+  load: `def load(ψ, y):
+    """The moments on a wheel that does not turn, but for friction."""
+    α = atan(y / σ)
+    F_y = c_Fα * F_z * max(-δ, min(α, δ))
+    M_z = -c_Mα * F_z * α_g / pi * sin(pi * α / α_g) if abs(α) <= α_g else 0.0
+    s = ψ - max(-ψ_fp, min(ψ, ψ_fp))
+    return -k * s + M_z - e * F_y`,
 };

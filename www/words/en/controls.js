@@ -41,6 +41,10 @@ export const controls = {
   'scent.linear.short': 'linear theory: {caption}',
   'scent.linear.shortest': 'linear theory',
   'scent.small': 'small swings: {caption}',
+  'scent.frictionless': 'linear theory, without friction: {caption}',
+  'scent.frictionless.short': 'linear theory, no friction: {caption}',
+  'scent.both': 'linear theory, spring engaged, without friction: {caption}',
+  'scent.both.short': 'linear theory, spring, no friction: {caption}',
   'scent.said.above': '{state} above {value}',
   'scent.said.below': '{state} below {value}',
   'scent.said.between': '{state} between {from} and {to}',
@@ -73,6 +77,7 @@ export const controls = {
   'parameter.aligningMomentLimitAngle': 'Aligning moment limit',
   'parameter.treadWidthMomentConstant': 'Tread width constant',
   'parameter.freeplayAngle': 'Freeplay, half gap',
+  'parameter.friction.moment': 'Dry friction',
 
   'refused.above': '{name} must be above {limit}. It stays at {kept}.',
   'refused.atLeast': '{name} must be {limit} or more. It stays at {kept}.',

@@ -41,6 +41,10 @@ export const controls = {
   'scent.linear.short': 'doğrusal kuram: {caption}',
   'scent.linear.shortest': 'doğrusal kuram',
   'scent.small': 'küçük salınımlar: {caption}',
+  'scent.frictionless': 'doğrusal kuram, sürtünmesiz: {caption}',
+  'scent.frictionless.short': 'doğrusal kuram, sürtünmesiz: {caption}',
+  'scent.both': 'doğrusal kuram, yay devrede, sürtünmesiz: {caption}',
+  'scent.both.short': 'doğrusal kuram, yayla, sürtünmesiz: {caption}',
   'scent.said.above': '{value} üstünde {state}',
   'scent.said.below': '{value} altında {state}',
   'scent.said.between': '{from} ile {to} arasında {state}',
@@ -73,6 +77,7 @@ export const controls = {
   'parameter.aligningMomentLimitAngle': 'Doğrultma momenti sınırı',
   'parameter.treadWidthMomentConstant': 'Sırt genişliği sabiti',
   'parameter.freeplayAngle': 'Boşluk, yarısı',
+  'parameter.friction.moment': 'Kuru sürtünme',
 
   'refused.above': '{name} {limit} değerinden büyük olmalı. {kept} olarak kaldı.',
   'refused.atLeast': '{name} en az {limit} olmalı. {kept} olarak kaldı.',

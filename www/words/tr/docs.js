@@ -13,5 +13,6 @@ export const docs = {
   sideForceLimitAngle: 'Yanal kuvvetin artık büyümediği kayma açısı: ötesinde F_y = ±c_Fα F_z δ (Somieski 1997). 0’dan büyük her değer geçerlidir; 90° ve üstüne hiç erişilmez.',
   aligningMomentLimitAngle: 'Ötesinde doğrultma momentinin kalmadığı kayma açısı: içinde M_z = −c_Mα F_z (α_g/π) sin(πα/α_g) (Somieski 1997). 0’dan büyük her değer geçerlidir; 90° ve üstüne hiç erişilmez.',
   treadWidthMomentConstant: 'Sırtın genişliğinden gelen sönüm: momenti −(κ/v)ψ̇ (Somieski 1997; onun verilerinde κ = 0,15 a² c_Fα F_z). 0 ve üstündeki her değer geçerlidir.',
+  'friction.moment': 'Dönme eksenindeki kuru sürtünme: momenti −M_f sign ψ̇; tekerlek dururken onu yerinde tutmaya yeten kadar, en çok M_f (Somieski 1997, k₀). Doğrusal kuram onu hesaba katmaz. 0 ve üstündeki her değer geçerlidir; 0, sürtünme yok demektir.',
   freeplayAngle: 'Boşluk; yayın etki etmediği aralığın yarısı: ±ψ_fp ötesinde s(ψ) = ψ − ψ_fp sign ψ, içinde 0 (Atabay 2012, böl. 6). 0 ve üstündeki her değer geçerlidir.',
 };
