@@ -312,6 +312,52 @@ fn what_follows_a_parameter_follows_it() {
     }
 }
 
+/// With dry friction the wheel sticks at rest, whatever the speed, and a push that it must exceed to shimmy is an unstable
+/// cycle, from the fold on: to first harmonic that of describing functions.
+#[test]
+fn dry_friction_hides_the_large_cycle_behind_a_small_one() {
+    let run = gear(&[("dampingConstant", 20.0), ("friction.moment", 10.0)]);
+    let diagram = of(&run, "velocity", 10.0, 120.0);
+    check(&run, "velocity", &diagram, 4);
+    let hopf = &diagram.points()[0];
+    assert_eq!((hopf.kind, hopf.branch, hopf.criticality), (PointKind::Hopf, None, None), "no cycle is born from it");
+    let branch = only(&diagram);
+    assert_eq!(branch.ends, [BranchEnd::Range; 2]);
+    let fold = diagram.points().iter().find(|point| point.kind == PointKind::Fold).unwrap();
+    assert!(fold.value > hopf.value);
+    for point in branch.points.iter().filter(|point| point.value > 35.0).step_by(5) {
+        let predicted = at(&run, "velocity", point).describing_function().unwrap();
+        let same = predicted.iter().filter(|cycle| cycle.stable == (point.unstable == 0));
+        let nearest = same.map(|cycle| (cycle.amplitude.torsion_angle / point.amplitude[0] - 1.0).abs());
+        // Higher harmonics: where both directions of the wheel stick for a while they matter most.
+        assert!(nearest.fold(f64::INFINITY, f64::min) < 0.03, "{point:?} {predicted:?}");
+    }
+}
+
+/// A gear so stiff, and a range so wide, that the arrival of a motion depends on the parameter in jumps of a millionth.
+#[test]
+fn a_stiff_gear_is_followed_from_end_to_end() {
+    let parameters = [
+        ("velocity", 21.766),
+        ("casterLength", 0.35664),
+        ("halfContactLength", 0.25841),
+        ("relaxationLength", 0.27985),
+        ("momentOfInertia", 9.0609),
+        ("torsionalStiffness", 0.0),
+        ("dampingConstant", 55.358),
+        ("verticalForce", 32_424.0),
+        ("aligningMomentDerivative", 2.468),
+        ("sideForceLimitAngle", 0.098_675),
+        ("aligningMomentLimitAngle", 0.395_64),
+        ("treadWidthMomentConstant", 1770.7),
+    ];
+    let diagram = diagram(&parameters, "sideForceDerivative", 1.0, 50.0);
+    check(&gear(&parameters), "sideForceDerivative", &diagram, 5);
+    let branch = only(&diagram);
+    assert_eq!(branch.ends, [BranchEnd::Range; 2]);
+    assert!(branch.points.len() < 120, "{}", branch.points.len());
+}
+
 /// Any gear over any of its parameters: whatever comes out obeys what holds of any diagram.
 #[test]
 fn diagrams_of_random_gears_hold_together() {

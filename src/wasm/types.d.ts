@@ -103,6 +103,8 @@ export interface PredictedCycle {
 export interface BifurcationSpec {
   model: string;
   parameters?: Parameters | null;
+  /** dry friction, as in a `Run`; `friction.moment` may be the parameter */
+  friction?: Run['friction'];
   parameter: string;
   from: number;
   to: number;
@@ -128,7 +130,7 @@ export interface Bifurcation {
   /** those of rest by rising value, then those of each branch in its order */
   points: SpecialPoint[];
 }
-/** The gear at rest by rising values of the parameter, those of `points` among them: one array a quantity. */
+/** The gear at rest by rising values of the parameter, those of `points` among them: one array a quantity. With dry friction as if the wheel turned freely: it sticks, and no branch begins there. */
 export interface EquilibriumBranch {
   /** by state */
   state: Record<string, Float64Array>;

@@ -88,7 +88,8 @@ struct Birth {
 /// # Limits
 /// Rest is the state that Newton's method finds from 0, whatever else the gear may rest at; other branches that begin at a
 /// branch point or a period doubling are not followed. A branch that no Hopf point of the range begins, and no start of a
-/// simulation at one of the values looked at leads to, is missed.
+/// simulation at one of the values looked at leads to, is missed. With dry friction rest and its Hopf points are those of a
+/// wheel that turns freely: one that friction holds sticks, and no branch begins there.
 ///
 /// # Example
 /// ```

@@ -23,7 +23,7 @@ impl Line {
     pub fn of(run: Run, variation: Variation) -> Result<Self> {
         let Variation { from, to, .. } = variation;
         let variation = Variation { from: from.min(to), to: from.max(to), ..variation };
-        let varied = variation.applied(run.description().parameters, run.parameters())?;
+        let varied = variation.applied(run.description().table, run.parameters())?;
         if from == to {
             let allowed = format!("another value than {} (from)", shown(from));
             return Err(Error::new(Code::OutOfRange, "to", shown(to), allowed));
@@ -43,7 +43,7 @@ impl Line {
 
     /// The parameter's public name, as the table has it.
     pub fn parameter(&self) -> &'static str {
-        let table = self.run.description().parameters;
+        let table = self.run.description().table;
         table.iter().find(|parameter| parameter.name == self.variation.parameter).map_or("", |found| found.name)
     }
 

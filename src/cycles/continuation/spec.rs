@@ -43,14 +43,14 @@ impl BifurcationSpec {
         Self { run, variation, cycle: None, points: POINTS, step: STEP, tolerance: TOLERANCE, probes: PROBES }
     }
 
-    /// Reads a record `{model, parameters, parameter, from, to, linked, cycle: {period, state, value}, points, step, tolerance,
+    /// Reads a record `{model, parameters, friction, parameter, from, to, linked, cycle: {period, state, value}, points, step, tolerance,
     /// probes}`.
     ///
     /// # Errors
     /// Anything but known keys with valid values; the error names the field. Names and ranges are checked against the model
     /// when it begins.
     pub fn read(input: &Value) -> Result<Self> {
-        const RUN: [&str; 2] = ["model", "parameters"];
+        const RUN: [&str; 3] = ["model", "parameters", "friction"];
         const RANGE: [&str; 4] = ["parameter", "from", "to", "linked"];
         const OWN: [&str; 5] = ["cycle", "points", "step", "tolerance", "probes"];
         let fields = Fields::of("bifurcation", input, &[RUN.as_slice(), &RANGE, &OWN].concat())?;
@@ -96,7 +96,7 @@ impl BifurcationSpec {
         let guess = Guess::read(&self.run, &Value::Record(given.collect())).map_err(|error| error.within("cycle"))?;
         let guess = guess.ok_or_else(|| Error::missing("cycle", "a record {period, state, value}"))?;
         let own = || {
-            let table = self.run.description().parameters;
+            let table = self.run.description().table;
             let place = table.iter().position(|parameter| parameter.name == self.variation.parameter);
             place.map_or(f64::NAN, |place| self.run.parameters()[place])
         };
