@@ -225,7 +225,7 @@ for (const [width, height] of [[1024, 768], [390, 844]])
     const read = page.locator('.plane-reading');
     await read.waitFor();
     const own = (await read.innerText()).replaceAll('\u00a0', ' ');
-    assert.match(own, /^v 80\.0 m\/s, c 20\.0 N m s\/rad: grows \d/);
+    assert.match(own, /^v 80\.0 m\/s, c 30\.0 N m s\/rad: grows \d/);
     const canvas = page.locator('shimmy-plane canvas').first();
     await canvas.hover({ position: { x: 90, y: 60 } });
     await page.waitForFunction((text) => document.querySelector('.plane-reading')?.textContent?.replaceAll('\u00a0', ' ') !== text, own);

@@ -59,7 +59,17 @@ export function drawPhasors(context, { width, height }, { arms, growth, swings, 
     const from = { x: middle.x, y: middle.y + (i - (arms.length - 1) / 2) * rows };
     lines.push(...nameArm(context, from, arm, scale, frame, lines, theme));
   });
-  writeCornerReading(context, readings, frame, frame.right - frame.left, theme);
+  const sample = swings ? 2.6 * theme.size : 0;
+  const written = writeCornerReading(context, readings, frame, frame.right - frame.left - sample - 0.5 * theme.size, theme);
+  if (written > 0 && swings) drawSample(context, frame.right - written - 0.5 * theme.size, frame.top - theme.size * 1.15, sample, growth, theme);
+}
+
+/** A piece of the spiral, before the words that tell of it. @param {CanvasRenderingContext2D} context @param {number} end @param {number} y @param {number} length @param {number} growth @param {Theme} theme */
+function drawSample(context, end, y, length, growth, theme) {
+  strokeAsSpiral(context, growth, theme, () => {
+    context.moveTo(end - length, y);
+    context.lineTo(end, y);
+  });
 }
 
 /** The unit circle, its axes, and which way all turns. @param {CanvasRenderingContext2D} context @param {{ x: number, y: number }} middle @param {number} scale @param {Theme} theme */
@@ -87,11 +97,17 @@ function drawDial(context, { x, y }, scale, theme) {
 
 /** The way of the first tip in the turn to come. @param {CanvasRenderingContext2D} context @param {{ x: number, y: number }} middle @param {number} scale @param {number} growth @param {Theme} theme */
 function drawSpiral(context, { x, y }, scale, growth, theme) {
+  strokeAsSpiral(context, growth, theme, () =>
+    spiralPoints({ x, y }, scale, growth).forEach((point, i) => context[i === 0 ? 'moveTo' : 'lineTo'](point.x, point.y)));
+}
+
+/** @param {CanvasRenderingContext2D} context @param {number} growth @param {Theme} theme @param {() => void} trace */
+function strokeAsSpiral(context, growth, theme, trace) {
   context.strokeStyle = growth > 0 ? theme.unstable : theme.stable;
   context.lineWidth = 1.8 * theme.line;
   context.setLineDash(growth > 0 ? [6 * theme.line, 4 * theme.line] : []);
   context.beginPath();
-  spiralPoints({ x, y }, scale, growth).forEach((point, i) => context[i === 0 ? 'moveTo' : 'lineTo'](point.x, point.y));
+  trace();
   context.stroke();
   context.setLineDash([]);
 }

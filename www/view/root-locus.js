@@ -76,6 +76,8 @@ const pieceColor = (piece, colorOf) => written(colorOf((piece + 0.5) / pieces));
 /** How far below the end of its way, and how far beside it, a name may stand, in widths of small type, the best first. */
 const below = [0, 0.6, 1.2, 1.8, 2.4, 3];
 const beside = [0.7, 2, 3.5];
+/** A name further from its end than this is nobody's: then all stand in a column, with lines to their ends. */
+const furthest = 1.6;
 
 /**
  * Names at the ends of the ways, of each at the root that swings fastest and is in the picture; none over another, a cross
@@ -86,7 +88,6 @@ function nameWays(context, ways, roots, { frame, x, y, taken }, theme) {
   context.font = textFont(theme, 0.9, 600);
   context.textBaseline = 'middle';
   context.textAlign = 'left';
-  context.fillStyle = theme.ink;
   const ends = ways.flatMap(({ label, paths }) => {
     const isSeen = (/** @type {Root} */ { re, im }) => im > 0 && x(re) > frame.left && x(re) < frame.right && y(im) > frame.top;
     const ends = paths.flatMap((path) => {
@@ -98,29 +99,80 @@ function nameWays(context, ways, roots, { frame, x, y, taken }, theme) {
     return label && end ? [{ label, x: x(end.at.re), y: y(end.at.im), isLeftward: end.at.re < end.before.re }] : [];
   }).sort((one, other) => one.y - other.y);
   const full = [...taken, ...roots.map(({ re, im }) => around(x(re), y(im), 0.7 * theme.size, 0.55 * theme.size))];
-  // In the order of their ways, so that one can tell which is whose.
+  const names = ends.map((end) => ({ ...end, width: context.measureText(end.label).width }));
+  const near = nearTheirEnds(names, frame, full, theme);
+  const isPlain = names.every((end, i) => near[i] && distanceTo(end, near[i]) <= furthest * theme.size);
+  for (const [i, box] of (isPlain ? near : inColumn(names, frame, taken, theme)).entries()) {
+    if (!isPlain) drawLeader(context, names[i], box, theme);
+    context.fillStyle = theme.ink;
+    context.font = textFont(theme, 0.9, 600);
+    writeEdged(context, names[i].label, box.left, (box.top + box.bottom) / 2, theme);
+  }
+}
+
+/**
+ * @typedef {{ label: string, x: number, y: number, width: number, isLeftward: boolean }} Name of a way, and where that ends, from
+ *   the highest down
+ * @typedef {import('./axes.js').Box} Box
+ */
+
+/** In the order of their ways, so that one can tell which is whose. @param {readonly Name[]} names @param {Box} frame @param {readonly Box[]} taken @param {Theme} theme @returns {Box[]} */
+function nearTheirEnds(names, frame, taken, theme) {
+  const full = [...taken];
   let lowest = -Infinity;
-  for (const { label, x: across, y: up, isLeftward } of ends) {
-    const width = context.measureText(label).width;
+  return names.flatMap(({ x: across, y: up, width, isLeftward }) => {
     const from = Math.max(up, lowest + 1.25 * theme.size);
     const places = below.flatMap((down) => beside.flatMap((off) => (isLeftward ? [-1, 1] : [1, -1]).map((side) =>
       around(across + side * (off * theme.size + width / 2), from + down * theme.size, width / 2, 0.55 * theme.size))));
     const inside = places.filter(({ left, right, top, bottom }) => left > frame.left && right < frame.right && top > frame.top && bottom < frame.bottom);
     const box = inside.find((one) => !full.some((other) => overlap(one, other))) ?? inside[0];
-    if (!box) continue;
+    if (!box) return [];
     full.push(box);
-    const middle = (box.top + box.bottom) / 2;
-    lowest = middle;
-    writeEdged(context, label, box.left, middle, theme);
-  }
+    lowest = (box.top + box.bottom) / 2;
+    return [box];
+  });
 }
 
-/** @param {number} x @param {number} y @param {number} halfWidth @param {number} halfHeight @returns {import('./axes.js').Box} */
+/** Under one another at the right edge, as many as have room. @param {readonly Name[]} names @param {Box} frame @param {readonly Box[]} taken @param {Theme} theme @returns {Box[]} */
+function inColumn(names, frame, taken, theme) {
+  const step = 1.3 * theme.size;
+  const middle = names.reduce((sum, { y }) => sum + y, 0) / names.length;
+  const boxAt = (/** @type {Name} */ { width }, /** @type {number} */ y) => around(frame.right - 0.3 * theme.size - width / 2, y, width / 2, 0.6 * theme.size);
+  let next = Math.max(frame.top + step, middle - ((names.length - 1) / 2) * step);
+  return names.flatMap((name) => {
+    const number = taken.find((one) => overlap(one, boxAt(name, next)));
+    if (number) next = number.bottom + 0.65 * theme.size;
+    const box = boxAt(name, next);
+    next += step;
+    return box.bottom < frame.bottom ? [box] : [];
+  });
+}
+
+/** @param {{ x: number, y: number }} end @param {Box} box */
+function distanceTo({ x, y }, { left, right, top, bottom }) {
+  return Math.hypot(Math.max(left - x, 0, x - right), Math.max(top - y, 0, y - bottom));
+}
+
+/** From the end of a way to its name. @param {CanvasRenderingContext2D} context @param {{ x: number, y: number }} end @param {Box} box @param {Theme} theme */
+function drawLeader(context, end, { left, top, bottom }, theme) {
+  context.strokeStyle = theme.ink;
+  context.fillStyle = theme.ink;
+  context.lineWidth = 0.8 * theme.line;
+  context.beginPath();
+  context.moveTo(end.x, end.y);
+  context.lineTo(left - 0.2 * theme.size, (top + bottom) / 2);
+  context.stroke();
+  context.beginPath();
+  context.arc(end.x, end.y, 2 * theme.line, 0, 2 * Math.PI);
+  context.fill();
+}
+
+/** @param {number} x @param {number} y @param {number} halfWidth @param {number} halfHeight @returns {Box} */
 function around(x, y, halfWidth, halfHeight) {
   return { left: x - halfWidth, right: x + halfWidth, top: y - halfHeight, bottom: y + halfHeight };
 }
 
-/** What the colors mean, in the fixed corner. @param {CanvasRenderingContext2D} context @param {import('./axes.js').Box} frame @param {Shown['sweep']} sweep @param {(share: number) => Color} colorOf @param {Theme} theme */
+/** What the colors mean, in the fixed corner. @param {CanvasRenderingContext2D} context @param {Box} frame @param {Shown['sweep']} sweep @param {(share: number) => Color} colorOf @param {Theme} theme */
 function drawLegend(context, frame, { symbol, from, to }, colorOf, theme) {
   const { size } = theme;
   const middle = frame.top - 1.1 * size;

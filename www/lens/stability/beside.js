@@ -23,6 +23,8 @@ import { planeOf, writePlane } from './settings.js';
 
 /** So long a frame may work on planes, in ms. */
 const slice = 6;
+/** A grid that is too wide is written smaller on a projector, down to this share and to this size in px, before it is scrolled. */
+const [smallest, readable] = [0.8, 13];
 
 /**
  * The plane for a list of values, side by side, each with its stable share, and all shares in a table. Commands: `view` with
@@ -129,25 +131,31 @@ export class BesidePlanes extends Panel {
     if (!theme || !this.#ruler || !(width > 0)) return null;
     const ruler = this.#ruler;
     const [count, others] = beside.lists.map(({ values }) => values.length);
-    const ends = widthOfEnds(ruler, this.#endsOf(beside.y, voice), theme);
     if (others) {
-      const [first, second] = this.#heads(beside, voice).map((heads) => widthOfHeads(ruler, heads, theme));
-      return layGrid(width, [count, others], theme, { heads: [first, second], ends });
+      const heads = this.#heads(beside, voice);
+      const lay = (/** @type {import('./panel.js').Theme} */ theme) => ({ theme, ...layGrid(width, [count, others], theme, {
+        heads: [widthOfHeads(ruler, heads[0], theme), widthOfHeads(ruler, heads[1], theme)], ends: widthOfEnds(ruler, this.#endsOf(beside.y, voice), theme),
+      }) });
+      const usual = lay(theme);
+      return usual.width <= width ? usual : lay({ ...theme, size: Math.min(theme.size, Math.max(smallest * theme.size, readable)) });
     }
-    const low = layBeside(width, count, theme, { isTall: false, ends });
+    const ends = widthOfEnds(ruler, this.#endsOf(beside.y, voice), theme);
+    const low = { theme, ...layBeside(width, count, theme, { isTall: false, ends }) };
     const room = low.boxes[0].right - low.boxes[0].left;
     const isTall = this.items.some((item) => widthOfWords(ruler, { label: this.#labelOf(item, voice), share: this.#shareInWords(item, voice) }, theme) > room);
-    return isTall ? layBeside(width, count, theme, { isTall, ends }) : low;
+    return isTall ? { theme, ...layBeside(width, count, theme, { isTall, ends }) } : low;
   }
 
   /** @type {import('../../view/canvas.js').Paint} */
   #paint = (context, size) => {
-    const { voice, theme, scene, items } = this;
+    const { voice, scene, items } = this;
     const beside = this.#beside;
     const layout = beside && voice && this.#layout(beside, voice);
-    if (!voice || !theme || !scene || !layout) return;
+    if (!voice || !scene || !layout) return;
+    const { theme } = layout;
     const { x, y } = beside;
-    drawPlanesBeside(context, size, {
+    // The ranges are read where one stands, however far the planes can be scrolled.
+    drawPlanesBeside(context, { ...size, width: Math.min(size.width, this.width) }, {
       x, y, ranges: [voice.say('beside.ranges', this.#rangesOf(beside, voice)), this.#ranges(beside, voice)],
       heads: layout.grid ? this.#heads(beside, voice) : null, ends: { x: this.#endsOf(x, voice), y: this.#endsOf(y, voice) },
       point: { x: scene.parameters[x.parameter], y: scene.parameters[y.parameter] },
