@@ -63,7 +63,7 @@ function phrasesOf({ isOnlyLinear, isOnlySmall, isDivergent, leavesOut }, voice)
   const theory = (/** @type {string} */ caption) => (isOnlyLinear ? voice.say(whole, { caption }) : isOnlySmall ? voice.say('scent.small', { caption }) : caption);
   const wordings = (/** @type {string} */ caption) =>
     isOnlyLinear ? [theory(caption), voice.say(short, { caption })] : isOnlySmall ? [theory(caption)] : [caption];
-  return { voice, state, theory, wordings, least: isOnlyLinear ? [voice.say('scent.linear.shortest')] : [] };
+  return { voice, state, theory, wordings, least: isOnlyLinear ? [voice.say('scent.linear.shortest')] : isOnlySmall ? [voice.say('scent.small.shortest')] : [] };
 }
 
 /** Whether two boundaries are the ends of one stretch, stable or not. @param {readonly Boundary[]} boundaries */

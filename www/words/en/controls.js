@@ -41,6 +41,7 @@ export const controls = {
   'scent.linear.short': 'linear theory: {caption}',
   'scent.linear.shortest': 'linear theory',
   'scent.small': 'small swings: {caption}',
+  'scent.small.shortest': 'small swings',
   'scent.frictionless': 'linear theory, without friction: {caption}',
   'scent.frictionless.short': 'linear theory, no friction: {caption}',
   'scent.both': 'linear theory, spring engaged, without friction: {caption}',

@@ -41,6 +41,7 @@ export const controls = {
   'scent.linear.short': 'doğrusal kuram: {caption}',
   'scent.linear.shortest': 'doğrusal kuram',
   'scent.small': 'küçük salınımlar: {caption}',
+  'scent.small.shortest': 'küçük salınımlar',
   'scent.frictionless': 'doğrusal kuram, sürtünmesiz: {caption}',
   'scent.frictionless.short': 'doğrusal kuram, sürtünmesiz: {caption}',
   'scent.both': 'doğrusal kuram, yay devrede, sürtünmesiz: {caption}',
