@@ -117,7 +117,7 @@ impl Basins {
         &self.plane.cells.kind
     }
 
-    /// The amplitude of the first state there: 0 at rest, infinite where it grows without bounds. Of a cell between others
+    /// The amplitude of the first state there: 0 at rest, 1000 where it grows without bounds. Of a cell between others
     /// that end alike it lies between theirs.
     pub fn amplitude(&self) -> &[f64] {
         &self.plane.cells.amplitude

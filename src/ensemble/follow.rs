@@ -63,7 +63,7 @@ pub(super) struct Start {
 #[derive(Clone, Debug)]
 pub(super) struct Settled {
     pub fate: Fate,
-    /// Largest |·| of every state: 0 at rest, infinite where it grows without bounds.
+    /// Largest |·| of every state: 0 at rest, [`LOST`] where it grows without bounds.
     pub amplitude: Vec<f64>,
     /// A state in it.
     pub x: Vec<f64>,
@@ -189,7 +189,7 @@ impl Motion {
         }
         let (fate, amplitude) = match verdict {
             Some(Verdict::Rests) => (Fate::Rest, 0.0),
-            Some(Verdict::Diverges) => (Fate::Divergence, f64::INFINITY),
+            Some(Verdict::Diverges) => (Fate::Divergence, LOST),
             Some(Verdict::Repeats(amplitude)) if amplitude > TRUSTED => (Fate::Divergence, amplitude),
             Some(Verdict::Repeats(amplitude)) => (Fate::Shimmy, amplitude),
             None if self.left > 0 => return None,
@@ -197,8 +197,7 @@ impl Motion {
         };
         // The first state's amplitude is known better than the others', which go with it.
         let scale = if amplitude > 0.0 { amplitude / reach[0] } else { 0.0 };
-        let others =
-            [reach[1] / step, reach[2]].map(|reach| if amplitude.is_finite() { reach * scale } else { amplitude });
+        let others = [reach[1] / step, reach[2]].map(|reach| if amplitude < LOST { reach * scale } else { amplitude });
         let [psi, change, y] = bundle.state(lane);
         let mut settled =
             Settled { fate, amplitude: vec![amplitude, others[0], others[1]], x: vec![psi, change / step, y] };
@@ -239,7 +238,7 @@ fn alone(run: &Run) -> Result<Settled> {
     let amplitude = match fate {
         Fate::Rest => vec![0.0; width],
         // What grew so far would have grown on.
-        Fate::Divergence if outlook.frequency.is_none() || outlook.amplitude[0] > LOST => vec![f64::INFINITY; width],
+        Fate::Divergence if outlook.frequency.is_none() || outlook.amplitude[0] > LOST => vec![LOST; width],
         _ => outlook.amplitude,
     };
     let first = outlook.orbit.states.iter().map(|column| column.first().copied());

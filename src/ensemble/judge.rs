@@ -15,7 +15,7 @@ const HEARD: usize = 6;
 const TURNS: usize = 2;
 /// So many in turn need not turn: steps and swings may beat slowly.
 const LONG: usize = 16;
-/// Farther than this nothing comes back, in rad.
+/// Farther than this nothing comes back, in rad: it stands for the amplitude of what grows without bounds.
 pub(super) const LOST: f64 = 1e3;
 
 /// What becomes of a motion.

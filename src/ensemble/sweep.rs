@@ -91,7 +91,7 @@ impl SweepSpec {
 pub struct Way {
     /// How the motion ends at each, as the number of a [`Fate`]; [`UNKNOWN`] where it is not known yet.
     pub kind: Vec<u8>,
-    /// The amplitude of the measured state there: 0 at rest, infinite where it grows without bounds.
+    /// The amplitude of the measured state there: 0 at rest, 1000 where it grows without bounds.
     pub amplitude: Vec<f64>,
 }
 

@@ -359,7 +359,7 @@ export interface Basins {
   /** of each cell, as `kinds` says */
   kind: Uint8Array;
   kinds: MotionKind[];
-  /** of the first state, in its unit: 0 at rest, Infinity without bounds. Of a cell that was not followed it lies between its neighbours' */
+  /** of the first state, in its unit: 0 at rest, 1000 without bounds. Of a cell that was not followed it lies between its neighbours' */
   amplitude: Float64Array;
   /** of each cell, the place in `endings` */
   ending: Uint8Array;
@@ -387,7 +387,7 @@ export interface SweepSpec {
   /** whole rows */
   tile?: MapSpec['tile'];
 }
-/** One way of a sweep, cell by cell and row by row: 255 and 0 where it has not come to yet. */
+/** One way of a sweep, cell by cell and row by row: 255 and 0 where it has not come to yet. An amplitude is 0 at rest, 1000 without bounds. */
 export interface SweepWay { kind: Uint8Array; amplitude: Float64Array }
 /** What a motion becomes as a parameter goes there (`up`) and back (`down`): where the two differ, there are two motions. */
 export interface Sweep {

@@ -37,7 +37,7 @@ test('a plane of parameters tells what becomes of each gear', () => {
     const cell = 9 * row + column;
     const kind = { shimmies: 'shimmy', 'dies-out': 'rest', rests: 'rest', rattles: 'rattle', grows: 'divergence' }[outlook.verdict];
     assert.equal(basins.kinds[basins.kind[cell]], kind, `${velocity} ${dampingConstant}`);
-    if (Number.isFinite(basins.amplitude[cell])) assert.ok(Math.abs(basins.amplitude[cell] - outlook.amplitude.torsionAngle) <= 1e-4 * outlook.amplitude.torsionAngle);
+    if (basins.amplitude[cell] < 1000) assert.ok(Math.abs(basins.amplitude[cell] - outlook.amplitude.torsionAngle) <= 1e-4 * outlook.amplitude.torsionAngle);
   }
 });
 
@@ -115,5 +115,5 @@ test('gears so wild that nobody can follow them come to an end all the same', ()
     }
   }
   const linear = shimmy.basins(/** @type {any} */ ({ ...BASINS, model: 'torsional-linear', x: { ...ANGLES, count: 4 }, y: { ...RATES, count: 2 } }));
-  assert.deepEqual(linear.endings, [{ kind: 'divergence', low: Infinity, high: Infinity, cells: 8 }]);
+  assert.deepEqual(linear.endings, [{ kind: 'divergence', low: 1000, high: 1000, cells: 8 }]);
 });

@@ -80,7 +80,7 @@ function helpers(shimmy, random, models) {
 }
 
 /** Functions that take no run. */
-const ALONE = ['spectrum', 'stabilityMap', 'hopfCurve', 'bifurcation', 'foldCurve'];
+const ALONE = ['spectrum', 'stabilityMap', 'hopfCurve', 'bifurcation', 'foldCurve', 'basins', 'sweep'];
 
 /** A job, made in slices, with what it had half-way. @param {Shimmy} shimmy @param {'bifurcation' | 'stabilityMap'} kind @param {any} asked @param {Random} random */
 function worked(shimmy, kind, asked, random) {
@@ -122,6 +122,34 @@ function diagram(random, model) {
   return { model: model.name, parameters, parameter: name, from: min, to, cycle, points: 2 + random.below(20), probes: random.below(2) };
 }
 
+/** Parameters of a gear, most of them its defaults. @param {Random} random @param {Model} model */
+const someParameters = (random, model) => Object.fromEntries(model.parameters.filter(() => random.chance(0.3)).map(({ name, min, max }) => [name, random.between(min, max)]));
+
+/** A range of a parameter or a state, of a few cells. @param {Random} random @param {Model} model @param {boolean} states */
+function fewCells(random, model, states) {
+  const { name, min, max } = states ? { min: -1, max: 1, ...random.pick(model.state) } : random.pick(model.parameters);
+  return { [states ? 'state' : 'parameter']: name, from: random.chance(0.9) ? min : random.pick(NUMBERS), to: random.chance(0.9) ? max : random.pick(NUMBERS), count: 1 + random.below(4) };
+}
+
+/** Basins of a few cells, soon over. @param {Random} random @param {Model} model */
+const basins = (random, model) => ({
+  model: model.name,
+  parameters: someParameters(random, model),
+  x: fewCells(random, model, random.chance(0.5)),
+  y: fewCells(random, model, random.chance(0.5)),
+  refine: random.chance(0.5),
+  duration: random.between(0.001, 0.3),
+});
+
+/** A sweep over a few values, soon over. @param {Random} random @param {Model} model */
+const sweep = (random, model) => ({
+  model: model.name,
+  parameters: someParameters(random, model),
+  over: random.chance(0.5) ? fewCells(random, model, false) : { x: fewCells(random, model, false), y: fewCells(random, model, false) },
+  measure: random.chance(0.5) ? random.pick(model.state).name : null,
+  duration: random.between(0.001, 0.3),
+});
+
 /** @type {((random: Random, model: Model) => { name: string, asked: unknown })[]} */
 const QUESTIONS = [
   (random, { state }) => ({ name: 'forces', asked: state.map(({ scale }) => (random.chance(0.8) ? random.between(-3, 3) * scale : random.pick(NUMBERS))) }),
@@ -144,6 +172,11 @@ const QUESTIONS = [
     const { linked, ...spec } = /** @type {any} */ (plane(random, model, false));
     return random.chance(0.1) ? { name: 'foldCurve', asked: { ...spec, linked, seeds: 1 } } : { name: 'bifurcation', asked: diagram(random, model) };
   },
+  (random, model) => (random.chance(0.5) ? { name: 'basins', asked: basins(random, model) } : { name: 'sweep', asked: sweep(random, model) }),
+  (random, { state }) => ({
+    name: 'poincare',
+    asked: { state: random.pick(state).name, level: random.chance(0.5) ? 0 : random.between(-0.1, 0.1), rising: random.chance(0.5), after: random.chance(0.5) ? 0 : random.pick(NUMBERS) },
+  }),
   (random) => ({
     name: 'spectrum',
     asked: { values: Float64Array.from({ length: random.below(300) }, () => random.between(-1, 1)), interval: 10 ** random.between(-6, 2) },
