@@ -14,7 +14,7 @@ test('the version is that of the crate', () => {
 test('models are plain objects with plain objects inside', () => {
   for (const model of shimmy.models()) {
     assert.ok(isPlain(model));
-    assert.deepEqual(Object.keys(model), ['name', 'title', 'parameters', 'state']);
+    assert.deepEqual(Object.keys(model), ['name', 'title', 'parameters', 'friction', 'state']);
     assert.ok([...model.parameters, ...model.state].every(isPlain));
   }
 });
@@ -38,14 +38,15 @@ test('the torsional gears have the parameters and the state that the contract na
   const namesOf = (/** @type {string} */ model) => models.get(model)?.parameters.map(({ name }) => name).sort();
   assert.deepEqual(namesOf('torsional'), [...linear, ...bounds].sort());
   assert.deepEqual(namesOf('torsional-linear'), [...linear].sort());
-  for (const { state } of models.values()) {
+  for (const { state, friction } of models.values()) {
+    assert.deepEqual(friction.map(({ name }) => name), ['friction.moment']);
     assert.deepEqual(state.map(({ name }) => name), STATES);
   }
 });
 
 test('every parameter can be shown: name, symbol, range with the default inside, words', () => {
   for (const model of shimmy.models()) {
-    for (const parameter of model.parameters) {
+    for (const parameter of [...model.parameters, ...model.friction]) {
       const { name, symbol, unit, min, max, scale, doc } = parameter;
       assert.ok(name && symbol && typeof unit === 'string' && doc.length > 10, name);
       assert.ok(min < max && min <= parameter.default && parameter.default <= max, name);

@@ -5,13 +5,14 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import init, * as engine from '../../www/pkg/shimmy.js';
 import { equationsOf, legendOf, relationOf } from '../../www/controls/equations.js';
+import { modelsOf } from '../../www/engine/models.js';
 import { followed } from '../../www/run/links.js';
 import { docs } from '../../www/words/tr/docs.js';
 import { docOf } from '../../www/words/docs.js';
 import { voiceOf } from '../../www/words/voice.js';
 
 await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
-const models = engine.models();
+const models = modelsOf(engine);
 
 /** The markup of a template with all that is filled in. @param {unknown} template @returns {string} */
 function markup(template) {
@@ -64,13 +65,13 @@ test('a symbol is lit as often as the model has it', () => {
 
 test('the equations read as the papers write them', () => {
   const [moments, kinematics, slip, sideForce, aligning, spring] = equations('torsional', 'none').map(read);
-  assert.equal(moments, 'Iz ψ¨=−k s(ψ)−c ψ.−κv ψ.+Mz−e Fy');
+  assert.equal(moments, 'Iz ψ¨=−k s(ψ)−c ψ.−κv ψ.+Mz−e Fy−Mf sgn ψ.');
   assert.equal(kinematics, 'y.=v ψ+(e−a) ψ.−vσ y');
   assert.equal(slip, 'α=arctan(y/σ)');
   assert.match(sideForce, /^Fy=\s*cFα Fz α\|α\|≤δ\s*cFα Fz δ sgn αbeyond$/);
   assert.match(aligning, /^Mz=\s*−cMα Fz αgπ sin π ααg\|α\|≤αg\s*0beyond$/);
   assert.match(spring, /^s\(ψ\)=\s*ψ−ψfp sgn ψ\|ψ\|>ψfp\s*0within$/);
-  assert.equal(read(equations('torsional-linear', 'none')[0]), 'Iz ψ¨=−k ψ−c ψ.−κv ψ.−(cMα+e cFα) Fz yσ');
+  assert.equal(read(equations('torsional-linear', 'none')[0]), 'Iz ψ¨=−k ψ−c ψ.−κv ψ.−(cMα+e cFα) Fz yσ−Mf sgn ψ.');
   assert.match(read(equations('torsional', 'none', 'tr').join('')), /ötesinde.*içinde/s);
   assert.deepEqual(equationsOf('lorenz', 'r', voiceOf('en')), []);
 });

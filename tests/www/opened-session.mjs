@@ -1,12 +1,13 @@
 // The session over the real engine, as the page opens it, and what a drawing asks of it.
 
+import { modelsOf } from '../../www/engine/models.js';
 import { openingObject, openingParameters, openingRun } from '../../www/opening.js';
 import { Session } from '../../www/run/session.js';
 import { Store } from '../../www/store.js';
 import { engine } from './stories.mjs';
 
 /** The opening object's own table, and its values where nobody has set any. */
-export const table = /** @type {import('../../www/engine/engine.js').Model} */ (engine.models().find(({ name }) => name === openingObject));
+export const table = /** @type {import('../../www/engine/engine.js').Model} */ (modelsOf(engine).find(({ name }) => name === openingObject));
 export const defaults = Object.fromEntries(table.parameters.map(({ name, default: usual }) => [name, usual]));
 
 export function opened() {

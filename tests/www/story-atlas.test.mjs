@@ -2,6 +2,7 @@
 
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
+import { modelsOf } from '../../www/engine/models.js';
 import { tableNumbers, thesisTables } from '../../www/lens/cycles/thesis-tables.js';
 import { lenses } from '../../www/lens/lenses.js';
 import { besideOf, planesOf } from '../../www/lens/stability/beside-settings.js';
@@ -51,7 +52,7 @@ test('each of them can be opened where its lens is there; nothing that needs mor
 
 test('each plane opens on the gear and the ranges of its figure, and its link opens the same', () => {
   const app = openedApp();
-  const usual = engine.models()[0].parameters;
+  const usual = modelsOf(engine)[0].parameters;
   for (const { name, entry } of theory) {
     if (entry?.view !== 'stability-map') continue;
     app.run('open', name);
@@ -141,7 +142,7 @@ test('they are found by their number and by their words, in both languages', () 
 
 test('each opens with the object, values and start of its figure, seen as the figure shows it', () => {
   const app = openedApp();
-  const tables = engine.models();
+  const tables = modelsOf(engine);
   for (const { name, entry, isReady } of ours) {
     if (!isReady || !entry?.run) continue;
     app.run('open', name);

@@ -3,6 +3,7 @@
 
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
+import { modelsOf } from '../../www/engine/models.js';
 import { lenses } from '../../www/lens/lenses.js';
 import { presets } from '../../www/story/presets.js';
 import { objectOf, parametersOf } from '../../www/story/story.js';
@@ -10,7 +11,7 @@ import { gistOf, sentenceOf, titleOf } from '../../www/story/title.js';
 import { languages, voiceOf } from '../../www/words/voice.js';
 import { engine } from './stories.mjs';
 
-const models = engine.models();
+const models = modelsOf(engine);
 const english = voiceOf('en');
 
 /** What each step's words claim of the swing. @type {Record<string, import('../../www/engine/engine.js').Outlook['verdict'][]>} */

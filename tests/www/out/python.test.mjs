@@ -35,6 +35,9 @@ const runs = [
   ['the opening run', opening()],
   ['a rattle in the gap', wholeRun('torsional', { velocity: 50, dampingConstant: 100, freeplayAngle: Math.PI / 180 }, 2)],
   ['the linear gear', wholeRun('torsional-linear', { velocity: 80, dampingConstant: 60 }, 2)],
+  ['dry friction that turns with the wheel', wholeRun('torsional', { velocity: 80, dampingConstant: 20, 'friction.moment': 60 }, 2)],
+  ['dry friction that sticks in every swing', wholeRun('torsional', { velocity: 5, dampingConstant: 0, torsionalStiffness: 2000, casterLength: 0.05, 'friction.moment': 1000 }, 2)],
+  ['the linear gear, held in the end', wholeRun('torsional-linear', { velocity: 40, dampingConstant: 60, 'friction.moment': 60 }, 2)],
 ];
 
 for (const [name, run] of runs) {
@@ -64,6 +67,12 @@ test('a script tells where it comes from and names every parameter, with symbol 
   assert.match(script, /^relaxation_length = σ = 0\.3 +# m$/m);
   assert.match(script, /^aligning_moment_derivative = c_Mα = 2\.0 +# m\/rad$/m);
   assert.equal(script.match(/^\w+ = [\wα-ω]+ = .+# .+$/gmu)?.length, 14);
+});
+
+test('a script tells of friction where there is some, and only there', () => {
+  const with60 = scriptOf(wholeRun('torsional', { 'friction.moment': 60 }, 2));
+  assert.match(with60, /^friction_moment = M_f = 60\.0 +# N m$/m);
+  assert.doesNotMatch(scriptOf(opening()), /friction/);
 });
 
 test('a model without equations in Python is refused', () => {

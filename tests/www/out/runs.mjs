@@ -1,5 +1,6 @@
 // Runs of the page as its exports take them.
 
+import { modelsOf } from '../../../www/engine/models.js';
 import { runOf } from '../../../www/out/run-of.js';
 import { shimmy } from '../../node/module.mjs';
 
@@ -7,7 +8,7 @@ import { shimmy } from '../../node/module.mjs';
 
 /** @param {string} name @returns {Model} */
 export function tableOf(name) {
-  const table = shimmy.models().find((model) => model.name === name);
+  const table = modelsOf(shimmy).find((model) => model.name === name);
   if (!table) throw new Error(`no model ${name}`);
   return table;
 }
