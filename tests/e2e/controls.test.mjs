@@ -226,7 +226,7 @@ test('every value has its meaning, and its equations do not run out of their she
     await untilVerdict(page, 'It shimmies');
     await openDrawer(page);
     const names = page.locator('shimmy-drawer .name');
-    assert.equal(await names.count(), 14);
+    assert.equal(await names.count(), 15);
     for (const name of await names.all()) {
       await name.click();
       const sheet = page.locator('shimmy-explanation');

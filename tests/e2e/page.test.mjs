@@ -201,7 +201,7 @@ test('an absurd value stops the run, not the page, and is undone', async () => {
 test('what stopped the run may be mended by hand, and the complaint goes', async () => {
   const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
-  await page.getByRole('button', { name: 'All 14 values' }).click();
+  await page.getByRole('button', { name: 'All 15 values' }).click();
   const relaxation = page.locator('shimmy-drawer shimmy-knob[data-name="relaxationLength"] .number');
   await relaxation.fill('1e-300');
   await relaxation.press('Enter');
@@ -227,7 +227,7 @@ test('a link with an absurd value opens stopped, and Reset all gets it going', a
 test('all values are in a drawer beside the gear, each live', async () => {
   const { page, leave } = await site.open();
   await untilVerdict(page, 'It shimmies');
-  await page.getByRole('button', { name: 'All 14 values' }).click();
+  await page.getByRole('button', { name: 'All 15 values' }).click();
   const drawer = page.locator('shimmy-drawer');
   assert.equal(await drawer.locator('shimmy-knob').count(), 14);
   const stage = await page.locator('shimmy-stage').boundingBox();
@@ -239,7 +239,7 @@ test('all values are in a drawer beside the gear, each live', async () => {
   await page.waitForURL(/torsionalStiffness=300000/);
   await page.keyboard.press('Escape');
   await drawer.waitFor({ state: 'detached' });
-  assert.equal(await page.evaluate(() => document.activeElement?.textContent?.trim()), 'All 14 values ▴', 'the focus is lost');
+  assert.equal(await page.evaluate(() => document.activeElement?.textContent?.trim()), 'All 15 values ▴', 'the focus is lost');
   await leave();
 });
 

@@ -210,7 +210,7 @@ test('who is asked while playing may leave without an answer, and it plays on', 
   await untilVerdict(page, 'It shimmies');
   await page.getByRole('button', { name: 'Predict' }).click();
   assert.equal(await page.getByRole('button', { name: 'Predict' }).getAttribute('aria-pressed'), 'true');
-  await page.getByRole('button', { name: 'All 14 values' }).click();
+  await page.getByRole('button', { name: 'All 15 values' }).click();
   await page.keyboard.press('Escape');
   await page.locator('shimmy-drawer').waitFor({ state: 'detached' });
   assert.equal(await page.locator('.prediction').count(), 1, 'one thing at a time');

@@ -31,6 +31,8 @@ export function linearLooks(engine, { model, parameters }, start = () => ({})) {
   return {
     /** Half of the gap: where it is not 0, a swing that has left it is not what linear theory speaks of. */
     isGapped: (parameters.freeplayAngle ?? 0) > 0,
+    /** Dry friction, of which linear theory does not speak. */
+    isRubbed: (parameters['friction.moment'] ?? 0) > 0,
     /**
      * By falling real part, of a pair the positive imaginary part first.
      * @param {Readonly<Record<string, number>>} [values] that are others
@@ -59,7 +61,8 @@ export function linearLooks(engine, { model, parameters }, start = () => ({})) {
      * @param {number} duration in s @param {number} samples
      */
     smallSwing: (duration, samples) => {
-      const { time, torsionAngle } = engine.simulate({ model, parameters, initial: { torsionAngle: tiny }, duration, samples, rtol: 1e-6, atol: tiny * 1e-7 });
+      // Friction would hold it.
+      const { time, torsionAngle } = engine.simulate({ model, parameters: { ...parameters, 'friction.moment': 0 }, initial: { torsionAngle: tiny }, duration, samples, rtol: 1e-6, atol: tiny * 1e-7 });
       return { time, angle: torsionAngle.map((angle) => angle / tiny) };
     },
   };

@@ -21,20 +21,23 @@ export class MapPicture {
    * @param {CanvasRenderingContext2D} context that knows how wide words are
    * @param {import('../../view/axes.js').Box} frame
    * @param {Looked} looked
-   * @param {{ coloring: Coloring, isLinearOnly: boolean }} look `isLinearOnly`: of a gear that is not linear even for a small swing
+   * @param {{ coloring: Coloring, isLinearOnly: boolean, isRubbed?: boolean }} look `isLinearOnly`: of a gear that is not linear even for a
+   *   small swing, by its gap; `isRubbed`: by its friction
    * @param {Theme} theme
    * @param {Voice} voice
    */
-  make(context, frame, { map, limits }, { coloring, isLinearOnly }, theme, voice) {
+  make(context, frame, { map, limits }, { coloring, isLinearOnly, isRubbed = false }, theme, voice) {
     const look = [map, limits, theme, coloring];
     if (!isSameList(look, this.#imageOf)) {
       paintMapImage(map, { coloring, limits }, theme, this.image);
       this.#imageOf = look;
     }
-    const laid = [...look, ...Object.values(frame), voice, isLinearOnly];
+    const laid = [...look, ...Object.values(frame), voice, isLinearOnly, isRubbed];
     if (isSameList(laid, this.#sheetOf)) return;
     const words = isLinearOnly
       ? { stable: voice.say('stability.stable.linear'), hopf: voice.say('stability.unstable.linear'), divergence: voice.say('stability.divergence.linear') }
+      : isRubbed
+      ? { stable: voice.say('stability.stable.frictionless'), hopf: voice.say('stability.unstable.frictionless'), divergence: voice.say('stability.divergence.frictionless') }
       : { stable: voice.say('stability.stable'), hopf: voice.say('stability.unstable'), divergence: voice.say('stability.divergence') };
     this.sheet = sheetOf(context, frame, map, { coloring, limits, words }, theme, voice);
     this.#sheetOf = laid;

@@ -109,7 +109,8 @@ export class PlaneView {
     const [across, up] = [this.#lens.quantity(x.parameter), this.#lens.quantity(y.parameter)];
     if (this.#share === null || !across || !up) return voice.say('stability.none');
     const share = voice.say('stability.share', { share: voice.number(this.#share, 1), x: rangeInWords(across, x, voice), y: rangeInWords(up, y, voice) });
-    return this.#isGapped ? voice.say('stability.share.gap', { share }) : share;
+    if (this.#isGapped) return voice.say('stability.share.gap', { share });
+    return this.#lens.scene?.linear.isRubbed ? voice.say('stability.share.frictionless', { share }) : share;
   }
 
   /** The same for a foot that is short of room. @param {Voice} voice */

@@ -167,7 +167,7 @@ export class Plane extends LitElement {
     if (!voice || !plane || !scene || !theme || !sides) return;
     const { coloring } = plane;
     const isLinearOnly = scene.linear.isGapped || this.#gapSide !== undefined;
-    if (looked && !isVeiled) this.#picture.make(context, frameOfMap(size, theme), looked, { coloring, isLinearOnly }, theme, voice);
+    if (looked && !isVeiled) this.#picture.make(context, frameOfMap(size, theme), looked, { coloring, isLinearOnly, isRubbed: scene.linear.isRubbed }, theme, voice);
     drawStabilityMap(context, size, {
       ...sides, image: looked ? this.#picture.image : null, sheet: looked ? this.#picture.sheet : null, boundary: looked?.boundary ?? [],
       coloring, limits: looked?.limits ?? { growthRate: 1, frequency: [0, 1] },
