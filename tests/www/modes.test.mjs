@@ -134,7 +134,10 @@ test('the tips lie where the phasors say, counter-clockwise up, and the spiral g
     const arm = armsOf(mode, usual, english)[2];
     assert.ok(Math.abs(ring?.args[0] - x - arm.re * unit) < 1e-9 && Math.abs(y - ring?.args[1] - arm.im * unit) < 1e-9);
     assert.ok(ring?.args[1] > y, 'what lags lies below');
-    const spiral = named('lineTo', 'moveTo').filter(({ style }) => style.strokeStyle === (re > 0 ? theme.unstable : theme.stable) && style.lineWidth === 1.8);
+    const lines = named('lineTo', 'moveTo').filter(({ style }) => style.strokeStyle === (re > 0 ? theme.unstable : theme.stable) && style.lineWidth === 1.8);
+    // The last two are of the piece before the words, which says what they are of.
+    const [spiral, sample] = [lines.slice(0, -2), lines.slice(-2)];
+    assert.ok(sample.every(({ args }, i) => args[1] === sample[0].args[1] && args[1] < 2.2 * theme.size && args[0] < 360 && (i === 0 || args[0] - sample[0].args[0] > 20)));
     const reach = (/** @type {{ args: any[] }} */ { args }) => Math.hypot(args[0] - x, args[1] - y);
     assert.ok(Math.abs(reach(spiral[0]) - unit) < 1e-9);
     assert.ok(Math.abs(reach(spiral[spiral.length - 1]) / unit - Math.exp((2 * Math.PI * re) / im)) < 1e-9);

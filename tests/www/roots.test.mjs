@@ -245,3 +245,23 @@ test('loci: one for each value of the other, through the roots there, colored by
   assert.equal(names.length, 6);
   names.sort((one, other) => one.args[2] - other.args[2]).forEach(({ args }, i) => assert.ok(i === 0 || args[2] - names[i - 1].args[2] > theme.size));
 });
+
+test('where the ends of loci crowd, their names stand in a column, each with a line to the end of its own', () => {
+  const locus = { sweep: { parameter: 'velocity', from: 0.5, to: 100 }, family: { parameter: 'casterLength', from: 0, to: 0.5, count: 6 } };
+  const found = new Loci().look(gear({ dampingConstant: 20 }), locus);
+  assert.ok(found);
+  const { context, named } = recordingContext();
+  const large = { ...theme, size: 17 };
+  drawRootLocus(context, { width: 440, height: 300 }, {
+    ways: found.ways.map(({ value, at, paths }) => ({ label: `e ${value?.toFixed(1)}`, paths, shares: at.map((swept) => (swept - 0.5) / 99.5) })),
+    roots: rootsOf({ velocity: 80, dampingConstant: 20 }), limits: found.limits, sweep: { symbol: 'v', from: '0.5', to: '100 m/s' },
+  }, large, voice);
+  const names = named('fillText').filter(({ args }) => String(args[0]).startsWith('e ')).sort((one, other) => one.args[2] - other.args[2]);
+  // The larger the caster, the faster the gear swings at the end of the sweep.
+  assert.deepEqual(names.map(({ args }) => args[0]), ['e 0.5', 'e 0.4', 'e 0.3', 'e 0.2', 'e 0.1', 'e 0.0']);
+  names.forEach(({ args }, i) => assert.ok(i === 0 || args[2] - names[i - 1].args[2] > large.size, 'none over another'));
+  const dots = named('arc').filter(({ args, style }) => args[2] === 2 * large.line && style.fillStyle === large.ink);
+  const leaders = named('lineTo').filter(({ args }) => names.some(({ args: [, x, y] }) => Math.abs(args[0] - x + 0.2 * large.size) < 1e-9 && Math.abs(args[1] - y) < 1e-9));
+  assert.equal(leaders.length, 6);
+  assert.equal(dots.length, 6);
+});

@@ -138,7 +138,8 @@ function inColumn(names, frame, taken, theme) {
   const step = 1.3 * theme.size;
   const middle = names.reduce((sum, { y }) => sum + y, 0) / names.length;
   const boxAt = (/** @type {Name} */ { width }, /** @type {number} */ y) => around(frame.right - 0.3 * theme.size - width / 2, y, width / 2, 0.6 * theme.size);
-  let next = Math.max(frame.top + step, middle - ((names.length - 1) / 2) * step);
+  const half = ((names.length - 1) / 2) * step;
+  let next = Math.max(frame.top + 0.7 * theme.size, Math.min(middle - half, frame.bottom - (names.length + 0.5) * step));
   return names.flatMap((name) => {
     const number = taken.find((one) => overlap(one, boxAt(name, next)));
     if (number) next = number.bottom + 0.65 * theme.size;

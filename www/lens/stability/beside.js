@@ -14,6 +14,7 @@ import { PlanesBeside } from './planes-beside.js';
 import { PlanePictures } from './plane-pictures.js';
 import { plainSymbol, rangeInWords, shortNumber } from './say.js';
 import { planeOf, writePlane } from './settings.js';
+import { strangersNote, strangersOf } from './strangers.js';
 
 /**
  * @typedef {import('./beside-settings.js').Beside} Beside
@@ -166,20 +167,12 @@ export class BesidePlanes extends Panel {
     }, layout, theme);
   };
 
-  /** A comparison of the thesis with a gear that is not: which values are others, and a way to set them. @param {Beside} beside @param {Voice} voice */
+  /** What is said where a comparison of the thesis is made of another gear. @param {Beside} beside @param {Voice} voice */
   #strangers(beside, voice) {
     const text = writeBeside(beside);
     if (!readyBesides.some((one) => one.text === text)) return nothing;
     const varied = [beside.x, beside.y, ...beside.lists].map(({ parameter }) => parameter);
-    const others = this.quantities.filter(({ name, parameter }) => !varied.includes(name) && this.scene?.parameters[name] !== parameter.default);
-    if (others.length === 0) return nothing;
-    const isSlack = this.isGapped && varied.includes('torsionalStiffness');
-    const values = Object.fromEntries(others.map(({ name, parameter }) => [name, parameter.default]));
-    return html`
-      <p class="table-out strangers">
-        <span>${voice.say('beside.strangers', { symbols: others.map(plainSymbol).join(', ') })}${isSlack ? ` ${voice.say('beside.slack')}` : ''}</span>
-        <button type="button" class="framed" @click=${() => this.put(values)}>${voice.say('beside.strangers.set')}</button>
-      </p>`;
+    return strangersNote(strangersOf(this.quantities, this.scene?.parameters, varied), this.isGapped && varied.includes('torsionalStiffness'), (values) => this.put(values), voice);
   }
 
   /** Whether the gear has these values. @param {Item} item */
@@ -267,19 +260,25 @@ export class BesidePlanes extends Panel {
     tell(this, 'view', { of: 'stability', shows: 'plane' });
   }
 
-  /** The table as a file: the values and the share, with the ranges that it is of, in SI. @param {Beside} beside @param {Voice} voice */
+  /** The table as a file: the values and the share, with the ranges that it is of and what the gear has besides, in SI. @param {Beside} beside @param {Voice} voice */
   async #takeAlong(beside, voice) {
     const { x, y, lists } = beside;
     const named = (/** @type {string} */ parameter, what = '') => ({ name: parameter + what, unit: this.quantity(parameter)?.parameter.unit ?? '' });
+    const varied = [x, y, ...lists].map(({ parameter }) => parameter);
+    const fixed = this.quantities.filter(({ name }) => !varied.includes(name)).map(({ name }) => ({ name, value: this.scene?.parameters[name] ?? null }));
     const columns = [
       ...lists.map(({ parameter }) => named(parameter)), { name: 'stableShare', unit: '%' },
       ...[x, y].flatMap(({ parameter }) => [named(parameter, ' from'), named(parameter, ' to')]),
+      ...fixed.map((one) => named(one.name)),
     ];
     const rows = sorted(this.items, this.#columns(beside, voice), this.settings.besideSort ?? '')
-      .map(({ values, share }) => [...Object.values(values), share, x.from, x.to, y.from, y.to]);
+      .map(({ values, share }) => [...Object.values(values), share, x.from, x.to, y.from, y.to, ...fixed.map(({ value }) => value)]);
     const name = `shimmy-stable-share-${lists.map(({ parameter }) => parameter).join('-')}.csv`;
     const outcome = await download(new Blob([tableCsv(columns, rows)], { type: 'text/csv' }), name);
     this.said = outcome === 'cancelled' ? '' : voice.say(`out.${outcome}`, { file: name });
+    await this.updateComplete;
+    // The panel may end above it.
+    if (this.said) this.querySelector('.table-out [role="status"]')?.scrollIntoView({ block: 'nearest' });
   }
 }
 

@@ -20,8 +20,9 @@ const some = 6;
  * @param {readonly Quantity[]} quantities
  * @param {Voice} voice
  * @param {import('./range-fields.js').RangeFields} ends of what is swept
+ * @param {boolean} isThesisGear whether all else is as in the thesis
  */
-export function locusChoices(host, locus, quantities, voice, ends) {
+export function locusChoices(host, locus, quantities, voice, ends, isThesisGear) {
   const { sweep, family } = locus;
   const say = (/** @type {string} */ shows) => tell(host, 'view', { of: 'locus', shows });
   const choose = (/** @type {Partial<Locus>} */ change) => say(writeLocus({ ...locus, ...change }));
@@ -34,7 +35,7 @@ export function locusChoices(host, locus, quantities, voice, ends) {
   };
   return html`
     <div class="plane-choices">
-      <button type="button" class="framed" title=${voice.say('locus.thesis.does')} aria-pressed=${writeLocus(locus) === thesisLocus ? 'true' : 'false'}
+      <button type="button" class="framed" title=${voice.say('locus.thesis.does')} aria-pressed=${writeLocus(locus) === thesisLocus && isThesisGear ? 'true' : 'false'}
         ?disabled=${!byName('velocity') || !byName('casterLength')} @click=${() => say(thesisLocus)}>${voice.say('locus.thesis')}</button>
       <select class="framed" aria-label=${voice.say('locus.sweep')} title=${voice.say('locus.sweep')} .value=${sweep.parameter} @change=${sweepOther}>
         ${quantities.map((quantity) => parameterOption(quantity, sweep.parameter, voice))}

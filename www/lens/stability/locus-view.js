@@ -1,4 +1,5 @@
 import { html } from 'lit';
+import { tell } from '../../command.js';
 import { withUnit } from '../../controls/quantity.js';
 import { isSameList } from '../../store.js';
 import { drawRootLocus } from '../../view/root-locus.js';
@@ -6,7 +7,8 @@ import { locusChoices } from './locus-choices.js';
 import { Loci } from './loci.js';
 import { RangeFields } from './range-fields.js';
 import { lowerName, plainSymbol, shortNumber } from './say.js';
-import { locusOf } from './settings.js';
+import { locusOf, thesisLocus, writeLocus } from './settings.js';
+import { strangersNote, strangersOf } from './strangers.js';
 
 /**
  * @typedef {import('./views.js').View} View
@@ -19,6 +21,7 @@ export class LocusView {
   #loci = new Loci();
   /** What was drawn last, so that nothing is drawn twice. @type {unknown[]} */ #drawn = [];
   #ends;
+  /** The names of what was other than in figure 5.5. */ #strange = '';
 
   /** @param {import('../stability.js').StabilityLens} lens */
   constructor(lens) {
@@ -33,8 +36,10 @@ export class LocusView {
 
   /** @type {View['template']} */
   template(voice) {
+    const others = this.#strangers;
     return html`
-      ${locusChoices(this.#lens, this.#locus, this.#lens.quantities, voice, this.#ends)}
+      ${locusChoices(this.#lens, this.#locus, this.#lens.quantities, voice, this.#ends, others.length === 0)}
+      ${writeLocus(this.#locus) === thesisLocus ? strangersNote(others, false, this.#put, voice) : ''}
       <shimmy-canvas .label=${this.#label(voice)} .paint=${this.#paint}></shimmy-canvas>`;
   }
 
@@ -49,9 +54,25 @@ export class LocusView {
     this.#drawn = [];
   }
 
+  /** What is other than in figure 5.5. */
+  get #strangers() {
+    const { sweep, family } = this.#locus;
+    return this.#lens.isVeiled ? [] : strangersOf(this.#lens.quantities, this.#lens.scene?.parameters, [sweep.parameter, family?.parameter ?? '']);
+  }
+
+  #put = (/** @type {Record<string, number>} */ values) => {
+    tell(this.#lens, 'point', { values, gesture: null });
+    tell(this.#lens, 'settle');
+  };
+
   /** @type {View['draw']} */
   draw(scene) {
     const { walk, theme, isVeiled } = this.#lens;
+    const strange = this.#strangers.map(({ name }) => name).join();
+    if (strange !== this.#strange) {
+      this.#strange = strange;
+      this.#lens.requestUpdate();
+    }
     const wanted = [walk.roots, isVeiled ? null : this.#loci.look(scene, this.#locus), theme];
     if (isSameList(wanted, this.#drawn)) return;
     this.#drawn = wanted;

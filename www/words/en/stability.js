@@ -151,7 +151,7 @@ export const stability = {
   'panel.line.beside': 'Press a plane to go there: the gear gets its values.',
   'beside.title': 'Stability planes side by side',
   'beside.foreign': 'This object has none of the values that the thesis compares.',
-  'beside.strangers': 'Not the thesis’ gear: {symbols} differ.',
+  'beside.strangers': 'Not the thesis’ gear. Other values: {symbols}.',
   'beside.slack': 'Inside the gap no spring works, so k changes nothing.',
   'beside.strangers.set': 'Set the thesis’ values',
   'beside.ready': 'What is compared',
