@@ -27,6 +27,7 @@
 //! | relaxation length σ | distance over which a tire's lateral deformation fades |
 //! | side force F_y, aligning moment M_z | what the ground does to a tire that slips sideways |
 //! | freeplay ψ_fp | half of the gap in which the torsion spring does not act |
+//! | dry friction M_f | a moment against the turning; at rest as much as is needed to stay there, up to M_f: the wheel *sticks* |
 //! | kink | where a piecewise law changes its piece; a *switch* finds it, a *mode* says which piece holds |
 //! | limit cycle | a motion that repeats and that its neighbours run to (or from) |
 //! | Hopf point | a parameter's value at which a small swing neither grows nor fades: a limit cycle is born there |
@@ -36,7 +37,7 @@
 //! | module | holds |
 //! | --- | --- |
 //! | [`model`] | the gears: physics only, one file each, with their tables |
-//! | [`element`] | force laws that gears share: tire law, freeplay |
+//! | [`element`] | force laws that gears share: tire law, freeplay, dry friction |
 //! | [`integrate`] | methods, dense output, switches, trajectories |
 //! | [`run`] | a run, checked; reading it from untyped input |
 //! | [`live`] | a motion that goes on, takes changes and finds back |

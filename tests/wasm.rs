@@ -95,7 +95,10 @@ fn answers_what_is_asked_beside_a_run() {
     assert_eq!(number(&parts.get(0), "to"), number(&theory, "criticalDamping"));
 
     let energy = wasm::energy(js(SHIMMY)).expect("the run is good");
-    let out = number(&energy, "damper") + number(&energy, "treadWidth") + number(&energy, "stored");
+    let out = number(&energy, "damper")
+        + number(&energy, "treadWidth")
+        + number(&energy, "friction")
+        + number(&energy, "stored");
     assert!((number(&energy, "tire") / out - 1.0).abs() < 1e-7);
 
     let forces = wasm::forces(js(SHIMMY), js("[0.01, 0, 0.003]")).expect("the state is good");

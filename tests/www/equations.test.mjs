@@ -64,14 +64,15 @@ test('a symbol is lit as often as the model has it', () => {
 });
 
 test('the equations read as the papers write them', () => {
-  const [moments, kinematics, slip, sideForce, aligning, spring] = equations('torsional', 'none').map(read);
-  assert.equal(moments, 'Iz ψ¨=−k s(ψ)−c ψ.−κv ψ.+Mz−e Fy−Mf sgn ψ.');
+  const [moments, kinematics, slip, sideForce, aligning, spring, friction] = equations('torsional', 'none').map(read);
+  assert.equal(moments, 'Iz ψ¨=−k s(ψ)−c ψ.−κv ψ.+Mz−e Fy−R');
   assert.equal(kinematics, 'y.=v ψ+(e−a) ψ.−vσ y');
   assert.equal(slip, 'α=arctan(y/σ)');
   assert.match(sideForce, /^Fy=\s*cFα Fz α\|α\|≤δ\s*cFα Fz δ sgn αbeyond$/);
   assert.match(aligning, /^Mz=\s*−cMα Fz αgπ sin π ααg\|α\|≤αg\s*0beyond$/);
   assert.match(spring, /^s\(ψ\)=\s*ψ−ψfp sgn ψ\|ψ\|>ψfp\s*0within$/);
-  assert.equal(read(equations('torsional-linear', 'none')[0]), 'Iz ψ¨=−k ψ−c ψ.−κv ψ.−(cMα+e cFα) Fz yσ−Mf sgn ψ.');
+  assert.equal(read(equations('torsional-linear', 'none')[0]), 'Iz ψ¨=−k ψ−c ψ.−κv ψ.−(cMα+e cFα) Fz yσ−R');
+  assert.match(friction, /^R=\s*Mf sgn ψ\.ψ\.≠0\s*−Mf…Mfψ\.=0$/);
   assert.match(read(equations('torsional', 'none', 'tr').join('')), /ötesinde.*içinde/s);
   assert.deepEqual(equationsOf('lorenz', 'r', voiceOf('en')), []);
 });

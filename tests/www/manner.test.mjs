@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import init, * as engine from '../../www/pkg/shimmy.js';
 import { destination } from '../../www/lens/destination.js';
 import { mannerOf } from '../../www/stage/manner.js';
-import { numbersOf } from '../../www/stage/verdict-line.js';
+import { numbersOf, wordOf } from '../../www/stage/verdict-line.js';
 import { voiceOf } from '../../www/words/voice.js';
 
 await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
@@ -24,7 +24,7 @@ function later(parameters, initial, after) {
 function told(outlook, language = 'en') {
   const voice = voiceOf(language);
   const line = numbersOf(outlook, voice).map(({ text }) => text).join(' · ');
-  return { manner: mannerOf(outlook), word: voice.say(`verdict.${mannerOf(outlook)}`), line, destination: destination(outlook, voice) };
+  return { manner: mannerOf(outlook), word: voice.say(wordOf(outlook)), line, destination: destination(outlook, voice) };
 }
 
 // A long trailing arm at walking pace has no beat: e ψ̇ = −v ψ, so ψ falls by the factor e in e/v = 5 s.
@@ -58,6 +58,18 @@ test('one that swings on to a rest aside says where it will stand, and once it s
   assert.equal(goal, 'No limit cycle from here: the wheel comes to rest 19.9° from straight ahead.');
   const there = { ...outlook, present: { ...outlook.present, amplitude: outlook.amplitude.torsionAngle + 1e-6 } };
   assert.deepEqual(told(there), { manner: 'rests', word: 'It rests', line: 'It stands 19.9° from straight ahead.', destination: 'The wheel is at rest.' });
+});
+
+test('a wheel that friction stops is told to stick, and where', () => {
+  // Within M_f/k = 400/1e5 rad = 0.23°.
+  const rubbed = { velocity: 30, dampingConstant: 60, 'friction.moment': 400 };
+  const swinging = told(outlookOf(rubbed, { torsionAngle: 0.05 }));
+  assert.equal(swinging.manner, 'stops');
+  assert.match(swinging.line, /^Friction will hold it at 0\.\d\d°\.$/);
+  const held = outlookOf(rubbed, { torsionAngle: 0.002 });
+  assert.deepEqual(told(held), { manner: 'rests', word: 'It sticks', line: 'Friction holds it at 0.11°.', destination: 'The wheel is at rest.' });
+  assert.deepEqual([told(held, 'tr').word, told(held, 'tr').line], ['Takılı kaldı', 'Sürtünme onu 0,11° açıda tutuyor.']);
+  assert.equal(told(outlookOf(rubbed, {})).line, 'Nothing moves. Kick the wheel.');
 });
 
 test('a wheel at rest rests, and swings keep their words', () => {

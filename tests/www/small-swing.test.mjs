@@ -32,6 +32,17 @@ test('the swing is that of the linear gear, and lies in its envelope and touches
   }
 });
 
+test('with friction it is the gear without it, which would hold it', () => {
+  const values = { velocity: 80, dampingConstant: 20 };
+  const of = (/** @type {Record<string, number>} */ parameters) => {
+    const looks = linearLooks(engine, { model: 'torsional', parameters });
+    return { isRubbed: looks.isRubbed, swing: smallSwing(looks, rootsOf(values)) };
+  };
+  const [without, rubbed] = [of(values), of({ ...values, 'friction.moment': 100 })];
+  assert.deepEqual([without.isRubbed, rubbed.isRubbed], [false, true]);
+  assert.deepEqual(rubbed.swing.angle, without.swing.angle);
+});
+
 test('with a gap it is the gear without a spring, and stays within the gap', () => {
   // Published: c = 100 inside the gap grows by 6.20 s⁻¹ at 50 m/s, and falls by 1.86 at 80.
   for (const [velocity, rate] of [[50, 6.2], [80, -1.86]]) {

@@ -45,7 +45,9 @@ export function symbolInMath(symbol) {
 }
 
 /** @type {readonly Legend[]} */
-const motion = [{ symbol: 'ψ', word: 'equation.torsionAngle' }, { symbol: 'y', word: 'equation.lateralDeformation' }];
+const motion = [
+  { symbol: 'ψ', word: 'equation.torsionAngle' }, { symbol: 'y', word: 'equation.lateralDeformation' }, { symbol: 'R', word: 'equation.friction' },
+];
 /** @type {readonly Legend[]} */
 const forces = [
   { symbol: 'α', word: 'equation.slipAngle' }, { symbol: 'F_y', word: 'equation.sideForce' },
@@ -72,7 +74,7 @@ function torsional(p, voice) {
   const within = mathml`<mtext>${voice.say('equation.within')}</mtext>`;
   return [
     equal(product(p('I_z'), twiceDotted(psi)), minus(p('k'), of(written('s'), psi)), minus(p('c'), dotted(psi)),
-      minus(fraction(p('κ'), p('v')), dotted(psi)), plus(aligningMoment), minus(p('e'), sideForce), minus(p('M_f'), sign(dotted(psi)))),
+      minus(fraction(p('κ'), p('v')), dotted(psi)), plus(aligningMoment), minus(p('e'), sideForce), minus(written('R'))),
     kinematics(p),
     equal(alpha, plus(of(named('arctan'), compared(y, '/', p('σ'))))),
     equal(sideForce, cases(
@@ -87,6 +89,7 @@ function torsional(p, voice) {
       [mathml`${psi}<mo>−</mo>${product(p('ψ_fp'), sign(psi))}`, compared(size(psi), '>', p('ψ_fp'))],
       [number('0'), within],
     )),
+    friction(p),
   ];
 }
 
@@ -96,9 +99,19 @@ function torsionalLinear(p) {
   const slope = mathml`${p('c_Mα')}<mo>+</mo>${product(p('e'), p('c_Fα'))}`;
   return [
     equal(product(p('I_z'), twiceDotted(psi)), minus(p('k'), psi), minus(p('c'), dotted(psi)),
-      minus(fraction(p('κ'), p('v')), dotted(psi)), minus(bracketed(slope), p('F_z'), fraction(written('y'), p('σ'))), minus(p('M_f'), sign(dotted(psi)))),
+      minus(fraction(p('κ'), p('v')), dotted(psi)), minus(bracketed(slope), p('F_z'), fraction(written('y'), p('σ'))), minus(written('R'))),
     kinematics(p),
+    friction(p),
   ];
+}
+
+/** What dry friction does: at rest whatever holds the wheel, within its limits. @param {Symbols} p */
+function friction(p) {
+  const rate = dotted(written('ψ'));
+  return equal(written('R'), cases(
+    [product(p('M_f'), sign(rate)), compared(rate, '≠', number('0'))],
+    [mathml`${negative(p('M_f'))}<mo>…</mo>${p('M_f')}`, compared(rate, '=', number('0'))],
+  ));
 }
 
 /** How the leading contact point moves. @param {Symbols} p */

@@ -59,6 +59,7 @@ export const controls = {
   'equation.within': 'within',
   'equation.torsionAngle': 'torsion angle',
   'equation.lateralDeformation': 'tire’s deformation',
+  'equation.friction': 'moment of dry friction',
   'equation.slipAngle': 'slip angle',
   'equation.sideForce': 'side force',
   'equation.aligningMoment': 'aligning moment',

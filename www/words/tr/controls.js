@@ -59,6 +59,7 @@ export const controls = {
   'equation.within': 'içinde',
   'equation.torsionAngle': 'burulma açısı',
   'equation.lateralDeformation': 'lastiğin şekil değişimi',
+  'equation.friction': 'kuru sürtünme momenti',
   'equation.slipAngle': 'kayma açısı',
   'equation.sideForce': 'yanal kuvvet',
   'equation.aligningMoment': 'doğrultma momenti',
