@@ -1,6 +1,9 @@
 //! Describing functions: limit cycles predicted from the first harmonic alone.
 
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
+use std::{
+    cell::Cell,
+    f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU},
+};
 
 use crate::{
     energy::GAUSS,
@@ -14,10 +17,14 @@ use crate::{
 /// spaced in their logarithm.
 const AMPLITUDES: (f64, f64) = (1e-6, FRAC_PI_2);
 const PLACES: u32 = 600;
+/// The same with friction, where each place is a search by itself.
+const PLACES_WITH_FRICTION: u32 = 240;
 /// Halvings of the way between two places: to rounding.
 const HALVINGS: u32 = 60;
 /// Logarithms of the ω among which the one of a swing with friction is searched for \[1/s\].
 const TURNING: (f64, f64) = (-7.0, 16.0);
+/// And first this near to the one of the amplitude before.
+const NEAR: f64 = 0.05;
 /// By how much both amplitudes are changed to see which way the gear's verdict goes.
 const ASIDE: f64 = 1e-5;
 
@@ -79,6 +86,8 @@ struct Gear<'a> {
     lever: f64,
     relaxation_length: f64,
     moment_of_inertia: f64,
+    /// ln ω of the last swing with friction that was looked at.
+    last: Cell<f64>,
 }
 
 /// What a swing of an amplitude of α would need to last.
@@ -101,13 +110,14 @@ impl Run {
     /// damping, of whose swing the equations do not say which of its stiffnesses it needs.
     pub fn describing_function(&self) -> Result<Vec<Predicted>> {
         let gear = Gear::of(self)?;
+        let places = if gear.friction > 0.0 { PLACES_WITH_FRICTION } else { PLACES };
         let place = |i: u32| {
             let (least, most) = AMPLITUDES;
-            least * (most / least).powf(f64::from(i) / f64::from(PLACES))
+            least * (most / least).powf(f64::from(i) / f64::from(places))
         };
         let mut cycles = Vec::new();
         let mut before: [Option<(f64, f64)>; 2] = [None, None];
-        for i in 0..=PLACES {
+        for i in 0..=places {
             let now = gear.excess(place(i))?.map(|excess| (place(i), excess));
             if let (Some(start), Some(end)) = (before[1], now) {
                 if start.1 * end.1 <= 0.0 && start.1 != end.1 {
@@ -151,6 +161,7 @@ impl<'a> Gear<'a> {
             lever: value("casterLength", 0.0) - value("halfContactLength", 0.0),
             relaxation_length: value("relaxationLength", 0.0),
             moment_of_inertia: value("momentOfInertia", 0.0),
+            last: Cell::new(0.0),
         };
         let damped = value("dampingConstant", 0.0) + value("treadWidthMomentConstant", 0.0) > 0.0;
         if gear.freeplay > 0.0 && !damped && gear.friction == 0.0 {
@@ -198,7 +209,11 @@ impl<'a> Gear<'a> {
             Ok::<_, Error>((slip, self.linear(slip, part, self.rubbing(torsion, turning))?))
         };
         let faster = |log: f64| at(log.exp()).map_or(f64::NAN, |(_, (_, square))| square - (2.0 * log).exp());
-        let turning = bracketed(TURNING.0, TURNING.1, &faster).exp();
+        let (low, high) = (self.last.get() - NEAR, self.last.get() + NEAR);
+        let (low, high) = if faster(low) > 0.0 && faster(high) < 0.0 { (low, high) } else { TURNING };
+        let log = bracketed(low, high, &faster);
+        self.last.set(log);
+        let turning = log.exp();
         let (slip, (excess, _)) = at(turning)?;
         Ok((slip < FRAC_PI_2 && excess.is_finite()).then_some(Balance { excess, slip, torsion, turning }))
     }

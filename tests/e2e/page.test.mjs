@@ -229,7 +229,7 @@ test('all values are in a drawer beside the gear, each live', async () => {
   await untilVerdict(page, 'It shimmies');
   await page.getByRole('button', { name: 'All 15 values' }).click();
   const drawer = page.locator('shimmy-drawer');
-  assert.equal(await drawer.locator('shimmy-knob').count(), 14);
+  assert.equal(await drawer.locator('shimmy-knob').count(), 15);
   const stage = await page.locator('shimmy-stage').boundingBox();
   const sheet = await drawer.boundingBox();
   assert.ok(stage && sheet && sheet.x >= stage.x + stage.width - 1, 'the drawer covers the gear');
