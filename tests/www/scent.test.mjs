@@ -125,7 +125,7 @@ test('with friction it is linear theory alone, of the gear without it', () => {
   const { marks, captions, inWords } = scent('dampingConstant', of);
   // The critical damping at 80 m/s, 48.530, as without friction.
   assert.deepEqual(marks.map(({ number }) => number), ['48.6']);
-  assert.deepEqual(captions.above, ['linear theory, without friction: stable above', 'linear, no friction: stable above']);
+  assert.deepEqual(captions.above, ['linear theory, without friction: stable above', 'linear theory, no friction: stable above']);
   assert.equal(inWords, 'linear theory, without friction: stable above 48.6 N m s/rad');
   const both = scent('dampingConstant', gear({ velocity: 80, 'friction.moment': 50, freeplayAngle: 0.01 }));
   assert.deepEqual(both.captions.above, ['linear theory, spring engaged, without friction: stable above', 'linear, spring, no friction: stable above']);
