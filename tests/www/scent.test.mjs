@@ -128,7 +128,7 @@ test('with friction it is linear theory alone, of the gear without it', () => {
   assert.deepEqual(captions.above, ['linear theory, without friction: stable above', 'linear theory, no friction: stable above']);
   assert.equal(inWords, 'linear theory, without friction: stable above 48.6 N m s/rad');
   const both = scent('dampingConstant', gear({ velocity: 80, 'friction.moment': 50, freeplayAngle: 0.01 }));
-  assert.deepEqual(both.captions.above, ['linear theory, spring engaged, without friction: stable above', 'linear, spring, no friction: stable above']);
+  assert.deepEqual(both.captions.above, ['linear theory, spring engaged, without friction: stable above', 'linear theory, spring, no friction: stable above']);
   assert.match(scent('dampingConstant', of, { language: 'tr' }).inWords, /^doğrusal kuram, sürtünmesiz: /);
   assert.equal(theory.unstable(of, 'friction.moment'), null);
 });
