@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
-import { doubling, becomes, pairInNumbers } from '../../www/lens/stability/say.js';
+import { doubling, becomes, pairInNumbers, pairReadings } from '../../www/lens/stability/say.js';
 import { amplitudeOf, smallSwing } from '../../www/lens/stability/small-swing.js';
 import init, * as engine from '../../www/pkg/shimmy.js';
 import { linearLooks } from '../../www/run/linear-looks.js';
@@ -80,6 +80,19 @@ test('a swing that changes slowly is watched for some eight cycles, one that gro
   }
   const { cycles, growth } = watched({ velocity: 80, dampingConstant: 0 });
   assert.ok(cycles < 8 && growth >= 3 && growth < 6, `${cycles} ${growth}`);
+  // One that turns aside is not watched for the cycles of a pair that has died out by then.
+  const aside = watched({ velocity: 50, casterLength: -0.2, torsionalStiffness: 0, dampingConstant: 10 });
+  assert.ok(aside.cycles === 0 && aside.growth >= 3 && aside.growth < 6, `${aside.growth}`);
+});
+
+test('the numbers of its axis are whole, however long', () => {
+  for (const limit of [3, 50, 50_000, 2_000_000]) {
+    const { context, named } = recordingContext();
+    drawLinearHistory(context, size, { time: [0, 0.1], angle: [1, limit], growthRate: 20, amplitude: 1, duration: 0.1, limit, readings: [''] }, theme, voice);
+    const numbers = named('fillText').filter(({ style }) => style.textAlign === 'right');
+    assert.ok(numbers.length > 0);
+    for (const { args } of numbers) assert.ok(args[1] - context.measureText(args[0]).width >= 0, `${args[0]} ends at ${args[1]}`);
+  }
 });
 
 test('the amplitude of a sinusoid in an envelope is found', () => {
@@ -96,6 +109,9 @@ test('doubling and halving take ln 2 over the rate, and words tell growth from d
   assert.equal(becomes([{ re: -0.05, im: 314.159 }], voice), 'falls 0.050 s⁻¹, 50.0 Hz');
   assert.equal(becomes([{ re: 3, im: 0 }], voice), 'turns aside, 3.00 s⁻¹');
   assert.equal(pairInNumbers([{ re: -3, im: 0 }, { re: -6, im: 8 }], voice), '1.3 Hz · −6.00 s⁻¹ · ζ 0.600');
+  // A wheel that turns aside is headed by what it does so by, not by a pair that dies out beside it.
+  assert.equal(pairInNumbers([{ re: 75.2, im: 0 }, { re: -129, im: 152.7 }], voice), '+75.2 s⁻¹, no swing');
+  assert.deepEqual(pairReadings([{ re: 75.2, im: 0 }, { re: -129, im: 152.7 }], voice), ['+75.2 s⁻¹, no swing', '+75.2 s⁻¹']);
   assert.equal(voiceOf('tr').say('stability.share', { share: '37,2', x: 'v', y: 'c' }), 'Düzlemin %37,2 kadarı kararlı: v, c');
 });
 

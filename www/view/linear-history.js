@@ -3,7 +3,7 @@ import { writeCornerReading } from './corner-reading.js';
 import { curveOf, strokeCurve } from './curve.js';
 import { linear } from './scale.js';
 import { destination, inStyle } from './strokes.js';
-import { widthOfLabel } from './text.js';
+import { textFont, widthOfLabel } from './text.js';
 import { drawVeil } from './veil.js';
 
 /**
@@ -31,10 +31,13 @@ const cut = 1.5;
  * @param {Voice} voice
  */
 export function drawLinearHistory(context, size, { time, angle, growthRate, amplitude, duration, limit, readings, veiled = false }, theme, voice) {
-  const frame = frameOf(size, theme, 'above');
+  const side = /** @type {const} */ ({ symbol: 't', word: 'roots.re', unit: '', color: 'psi' });
+  const usual = frameOf(size, theme, 'above');
+  // A swing that grows fast has long numbers.
+  context.font = textFont(theme, 0.95);
+  const frame = { ...usual, left: Math.max(usual.left, context.measureText(voice.number(-limit, 0)).width + theme.size) };
   const [width, height] = [frame.right - frame.left, frame.bottom - frame.top];
   if (width < 20 || height < 20) return;
-  const side = /** @type {const} */ ({ symbol: 't', word: 'roots.re', unit: '', color: 'psi' });
   const x = axisOf({ ...side, perSI: 1000 }, [0, duration], [frame.left, frame.right], Math.min(6, width / (theme.size * 4)), voice);
   const y = {
     ...axisOf({ ...side, perSI: 1 }, [-limit, limit], [frame.bottom, frame.top], Math.min(6, height / (theme.size * 1.9)), voice),

@@ -63,10 +63,11 @@ export function becomesBriefly(roots, isGapped, voice) {
 /** A rate of growth with its sign. @param {number} rate @param {Voice} voice */
 export const signed = (rate, voice) => (rate > 0 ? '+' : rate < 0 ? '−' : '') + rateOf(rate, voice);
 
-/** The pair in numbers: `52.1 Hz · +12.3 s⁻¹ · ζ −0.038`. @param {readonly Root[]} roots @param {Voice} voice */
+/** The pair in numbers: `52.1 Hz · +12.3 s⁻¹ · ζ −0.038`; where a wheel turns aside sooner than it swings, what it does so by. @param {readonly Root[]} roots @param {Voice} voice */
 export function pairInNumbers(roots, voice) {
   const pair = pairOf(roots);
-  if (!pair) return roots.length > 0 ? voice.say('roots.real', { rate: signed(roots[0].re, voice) }) : '';
+  const turnsAside = roots.length > 0 && roots[0].im === 0 && roots[0].re > 0;
+  if (!pair || turnsAside) return roots.length > 0 ? voice.say('roots.real', { rate: signed(roots[0].re, voice) }) : '';
   const ratio = -pair.re / Math.hypot(pair.re, pair.im);
   return voice.say('roots.pair', { frequency: voice.number(pair.im / circle, 1), rate: signed(pair.re, voice), ratio: voice.number(ratio, 3) });
 }
@@ -75,6 +76,7 @@ export function pairInNumbers(roots, voice) {
 export function pairReadings(roots, voice) {
   const whole = pairInNumbers(roots, voice);
   const parts = whole.split(' · ');
+  if (parts.length < 2) return roots.length > 0 ? [whole, `${signed(roots[0].re, voice)} ${voice.say('stability.perSecond')}`] : [whole];
   return [whole, parts.slice(0, 2).join(' · '), parts[0]];
 }
 

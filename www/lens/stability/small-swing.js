@@ -26,10 +26,11 @@ const circle = 2 * Math.PI;
  * @param {readonly Root[]} roots by falling real part
  */
 export function smallSwing(linear, roots) {
-  const [{ re: growthRate }] = roots;
-  const beat = Math.max(...roots.map(({ im }) => im)) / circle;
+  const [{ re: growthRate, im }] = roots;
+  // A wheel that turns aside has left the picture before it could swing.
+  const beat = growthRate > 0 && im === 0 ? 0 : Math.max(...roots.map((root) => root.im)) / circle;
   const fitting = growthRate > 0 ? Math.log(seen) / growthRate : Infinity;
-  const wanted = beat > 0 ? Math.min(Math.max(fitting, fewestCycles / beat), cycles / beat) : 3 / Math.abs(growthRate || 1);
+  const wanted = beat > 0 ? Math.min(Math.max(fitting, fewestCycles / beat), cycles / beat) : Math.min(fitting, 3 / Math.abs(growthRate || 1));
   const duration = durations.find((one) => one >= wanted) ?? durations[durations.length - 1];
   const samples = Math.min(mostSamples, Math.max(200, Math.ceil(duration * beat * samplesPerCycle)));
   const { time, angle } = linear.smallSwing(duration, samples);
