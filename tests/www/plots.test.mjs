@@ -50,6 +50,22 @@ test('the present is a dot where ψ and ψ̇ say, to the right and up', () => {
   assert.ok(Math.abs((dot.args[0] - vertical.args[0]) / fullWidth - 0.5) < 0.01, 'half way to 20°');
 });
 
+test('beyond the plot the present is a triangle at the edge, pointing to where it is', () => {
+  for (const [angle, rate] of [[31, 25], [-31, 25], [10, 140], [10, -140], [50, 300]]) {
+    const { context, named } = recordingContext();
+    drawPhasePortrait(context, size, { ...portrait, orbit: {}, trail: {}, state: [angle * degree, rate, 0] }, theme, voiceOf('en'));
+    assert.ok(named('arc').every(({ args }) => args[2] !== 6), 'no dot');
+    const [vertical, horizontal] = named('lineTo').filter(({ style }) => style.strokeStyle === theme.ghost);
+    const corners = named('lineTo').filter(({ style }) => style.fillStyle === theme.psi && style.lineWidth === 2).slice(-3).map(({ args }) => args);
+    const [[x, y], ...others] = corners;
+    const [right, middle] = [horizontal.args[0], horizontal.args[1]];
+    assert.ok(corners.every(([across]) => across > 0 && across <= right + 1), JSON.stringify(corners));
+    if (Math.abs(angle) > 20) assert.ok(others.every(([across]) => (angle > 0 ? across < x : across > x)), 'along ψ');
+    else assert.ok(Math.abs((x - vertical.args[0]) / (right - vertical.args[0]) - 0.5) < 0.01 && others.every(([, up]) => (rate > 0 ? up > y : up < y)), 'along ψ̇');
+    assert.ok(rate > 0 ? y < middle : y > middle);
+  }
+});
+
 test('the trail fades into the past and ends in full color', () => {
   const { context, named } = recordingContext();
   drawPhasePortrait(context, size, portrait, theme, voiceOf('en'));

@@ -86,6 +86,24 @@ test('the magnification is that of the start of the run until a hand asks for an
   assert.ok(session.scales.magnification > magnification);
 });
 
+test('axes follow a run that grows out of them, and hold one that stays within', () => {
+  const { store, session } = opened();
+  store.open({ parameters: { ...store.state.parameters, dampingConstant: 0, torsionalStiffness: 0 }, run: { initial: { torsionAngle: 0.05 } } });
+  let changes = 0;
+  let last = session.scales.limits;
+  for (let step = 0; step < 40; step++) {
+    session.advance(0.1);
+    session.refresh();
+    const { limits } = session.scales;
+    const { state } = session.scene(wanted);
+    assert.ok(Math.abs(state[0]) <= limits.angle && Math.abs(state[1]) <= limits.rate, `${state[0]} of ${limits.angle} at ${session.time}`);
+    if (limits !== last) changes++;
+    last = limits;
+  }
+  assert.ok(Math.abs(session.scene(wanted).run.past.high.at(-1) ?? 0) > 2, 'it has grown beyond 120°');
+  assert.ok(changes > 0 && changes < 15, `${changes}`);
+});
+
 test('another run, as a link brings it, begins at its start', () => {
   const { store, session } = opened();
   session.advance(0.3);

@@ -42,6 +42,16 @@ test('any state can be shown, in its unit and color', () => {
   assert.ok(written(drawn({ shown: 'torsionRate', limit: 100, value: 0 }).named('fillText')).some((text) => text.includes('rad/s')));
 });
 
+test('the state now stays on its lane: beyond the axis a triangle at the end of that', () => {
+  for (const value of [-50, -13.2, 13.2, 50]) {
+    const { named } = drawn({ value: value * degree });
+    const dots = named('arc').filter(({ style }) => style.fillStyle === theme.psi);
+    assert.equal(dots.length, Math.abs(value) > 20 ? 0 : 1);
+    const tip = named('moveTo').at(-1);
+    if (dots.length === 0) assert.equal(tip?.args[1], value > 0 ? box.top : box.bottom);
+  }
+});
+
 test('a cursor is a line and a ring on the curve, and reads time, value, peak to peak and beat', () => {
   const { named } = drawn({ cursors: [-0.02] });
   const ring = named('arc').at(-1);

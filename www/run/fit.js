@@ -43,6 +43,15 @@ export function stillFits(limits, swing) {
 }
 
 /**
+ * Whether a state lies beyond axes.
+ * @param {Swing} limits
+ * @param {ArrayLike<number>} state ψ, ψ̇, y
+ */
+export function isBeyond(limits, state) {
+  return Math.abs(state[0]) > limits.angle || Math.abs(state[1]) > limits.rate || Math.abs(state[2]) > limits.deformation;
+}
+
+/**
  * @typedef {{ time: ArrayLike<number>, low: ArrayLike<number>, high: ArrayLike<number> }} Envelope
  */
 

@@ -6,7 +6,7 @@
  */
 
 import { isSameRecord } from '../store.js';
-import { spanFor } from './fit.js';
+import { isBeyond, spanFor } from './fit.js';
 import { Ghosts } from './ghosts.js';
 import { followed, linksBrokenBy, linksBrokenByPoint, withFollowers } from './links.js';
 import { LiveRun, recipeOf } from './live-run.js';
@@ -258,6 +258,8 @@ export class Session {
     // Under a hand the scale stays, or the wheel would jump away from it.
     if (this.#lookout.isVeiled || this.isHeld) return;
     if (isTooWide(this.scales, swingOf(this.#live, this.#lookout).angle, this.#chosenMagnification)) this.fit();
+    // A run that grows leaves any axes in the end.
+    else if (isBeyond(this.scales.limits, this.#live.state)) this.#refit();
   }
 
   /** Looks ahead though it was veiled: what comes is about to be told. */

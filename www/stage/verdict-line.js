@@ -33,8 +33,7 @@ export function numbersOf(outlook, voice) {
   const now = swing(present.amplitude, voice);
   const goal = swing(verdict === 'dies-out' ? 0 : amplitude.torsionAngle, voice);
   const limit = { text: voice.say('verdict.limit') };
-  // What no longer changes in any number shown has settled, for all that can be seen.
-  if (verdict !== 'grows' && (settled || now === goal))
+  if (hasSettled(outlook, voice))
     return [{ text: goal }, ...hertz, amplitude.torsionAngle > trusted ? limit : { text: voice.say('verdict.settled') }];
   const trend = present.trend === 'growing' ? voice.say('verdict.growing', { amplitude: now })
     : present.trend === 'falling' ? voice.say('verdict.falling', { amplitude: now }) : now;
@@ -47,6 +46,16 @@ export function numbersOf(outlook, voice) {
 export function wordOf(outlook) {
   const manner = mannerOf(outlook);
   return outlook.held && manner === 'rests' ? 'verdict.sticks' : `verdict.${manner}`;
+}
+
+/**
+ * Whether the swing has come to where it goes: what no longer changes in any number shown has settled, for all that can be
+ * seen.
+ * @param {Outlook} outlook
+ * @param {Voice} voice
+ */
+export function hasSettled({ verdict, settled, amplitude, present }, voice) {
+  return verdict !== 'grows' && (settled || swing(present.amplitude, voice) === swing(verdict === 'dies-out' ? 0 : amplitude.torsionAngle, voice));
 }
 
 /**

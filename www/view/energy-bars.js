@@ -17,7 +17,7 @@ const small = 0.2;
  * `veiled` hides all of it until it has been guessed.
  */
 export class EnergyBars extends LitElement {
-  static properties = { energy: { attribute: false }, voice: { attribute: false }, veiled: { type: Boolean }, areRates: { type: Boolean }, isReal: { type: Boolean } };
+  static properties = { energy: { attribute: false }, voice: { attribute: false }, veiled: { type: Boolean }, areRates: { type: Boolean }, isReal: { type: Boolean }, trend: { attribute: false } };
 
   constructor() {
     super();
@@ -25,6 +25,8 @@ export class EnergyBars extends LitElement {
     /** @type {Voice | null} */ this.voice = null;
     this.veiled = false;
     this.areRates = false;
+    /** What is said of the swing beside: where it grows or falls too slowly for the bars. @type {import('../engine/engine.js').Outlook['present']['trend']} */
+    this.trend = 'steady';
     /** Of a mode without a swing, which has no cycle. */ this.isReal = false;
   }
 
@@ -41,10 +43,11 @@ export class EnergyBars extends LitElement {
         <p class="veil"><span aria-hidden="true">?</span><span class="only-heard">${voice.say('energy.veiled')}</span></p>`;
     }
     const { trend, fed, taken, rest, whole } = balanceOf(this.energy);
+    const slow = trend === 'lasts' ? { growing: /** @type {const} */ ('grows'), falling: /** @type {const} */ ('falls'), steady: null }[this.trend] : null;
     if (trend === 'rests') return html`<h2>${voice.say('energy.name')}</h2><p class="sentence">${voice.say('energy.rests')}</p>`;
     const write = this.areRates ? rateWriter(whole, voice) : energyWriter(whole, voice);
-    const title = voice.say(this.areRates ? `modes.energy.${trend}.${this.isReal ? 'real' : 'title'}` : `energy.${trend}.title`);
-    const sentence = voice.say(this.areRates ? `modes.energy.${trend}` : `energy.${trend}`, { value: write(rest) });
+    const title = voice.say(this.areRates ? `modes.energy.${trend}.${this.isReal ? 'real' : 'title'}` : `energy.${slow ?? trend}.title`);
+    const sentence = voice.say(this.areRates ? `modes.energy.${trend}` : slow ? 'energy.slow' : `energy.${trend}`, { value: write(rest) });
     const bar = (/** @type {Part} */ { element, value }, isNamed = true) => html`
       <span class="part ${element}" style=${styleMap({ flexGrow: String(value / whole) })}>
         <span class="label"><b>${write(value)}</b>${isNamed ? html` <span>${voice.say(`energy.${element}`)}</span>` : ''}</span>

@@ -20,6 +20,34 @@ export function drawPresent(context, x, y, color, theme) {
 }
 
 /**
+ * The same on a plot that the motion may have left: then a triangle at the edge that it has passed, pointing on.
+ * @param {CanvasRenderingContext2D} context
+ * @param {import('./axes.js').Box} frame
+ * @param {number} x
+ * @param {number} y
+ * @param {string} color
+ * @param {Theme} theme
+ */
+export function drawPresentWithin(context, { left, right, top, bottom }, x, y, color, theme) {
+  const [across, up] = [Math.min(Math.max(x, left), right), Math.min(Math.max(y, top), bottom)];
+  if (across === x && up === y) {
+    drawPresent(context, x, y, color, theme);
+    return;
+  }
+  const size = 6 * Math.sqrt(theme.line);
+  const angle = Math.atan2(y - up, x - across);
+  context.fillStyle = color;
+  context.strokeStyle = theme.surface;
+  context.lineWidth = 2;
+  context.beginPath();
+  for (const [along, aside] of [[0, 0], [-1.8, 1], [-1.8, -1]])
+    context.lineTo(across + size * (along * Math.cos(angle) - aside * Math.sin(angle)), up + size * (along * Math.sin(angle) + aside * Math.cos(angle)));
+  context.closePath();
+  context.stroke();
+  context.fill();
+}
+
+/**
  * Where the motion was all along the exposure of a frame, where it is too fast for a dot: as wide as one, translucent, so
  * that no single state can be read from it.
  * @param {CanvasRenderingContext2D} context

@@ -3,7 +3,7 @@ import { curveOf, strokeCurve } from './curve.js';
 import { drawGap, nameGap } from './gap.js';
 import { drawGhosts, keysOfGhosts } from './ghosts.js';
 import { placeKeys } from './key.js';
-import { drawPresent, drawSmear } from './points.js';
+import { drawPresentWithin, drawSmear } from './points.js';
 import { quantities } from './quantities.js';
 import { destination, inStyle } from './strokes.js';
 import { drawTrail } from './trail.js';
@@ -64,6 +64,6 @@ export function drawPortrait(context, size, motion, { up, present, limits, corne
   inStyle(context, theme, orbitStyle, () => strokeCurve(context, orbit, { isClosed: true }));
   if (exposed) drawSmear(context, curve(exposed), color, theme);
   context.restore();
-  if (!exposed) drawPresent(context, x.at(motion.state[0]), y.at(present), color, theme);
+  if (!exposed) drawPresentWithin(context, frame, x.at(motion.state[0]), y.at(present), color, theme);
   drawKeys(named, [trail, orbit, ...pinned.map((ghost) => ghost.curve)]);
 }

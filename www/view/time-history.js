@@ -86,14 +86,27 @@ export function drawTimeHistory(context, box, moment, theme, voice, { isSmall })
   context.lineTo(x(0), box.bottom);
   context.stroke();
   if (exposure === 0) {
-    context.fillStyle = theme[quantity.color];
-    context.beginPath();
-    context.arc(x(0), y(moment.value), 4.5 * Math.sqrt(theme.line), 0, 2 * Math.PI);
-    context.fill();
+    drawNow(context, box, x(0), y(moment.value), theme[quantity.color], theme);
   }
   if (words === '') return;
   drawCursors(context, { cursors, history, shown }, box, x, y, theme);
   writeReading(context, words, box, theme, { isSmall });
+}
+
+/** The state now; beyond the axis a triangle at its end, pointing on. @param {CanvasRenderingContext2D} context @param {Box} box @param {number} x @param {number} y @param {string} color @param {Theme} theme */
+function drawNow(context, { top, bottom }, x, y, color, theme) {
+  const size = 4.5 * Math.sqrt(theme.line);
+  context.fillStyle = color;
+  context.beginPath();
+  if (y >= top && y <= bottom) context.arc(x, y, size, 0, 2 * Math.PI);
+  else {
+    const [edge, inward] = y < top ? [top, 1] : [bottom, -1];
+    context.moveTo(x, edge);
+    context.lineTo(x - size, edge + inward * 1.8 * size);
+    context.lineTo(x + size, edge + inward * 1.8 * size);
+    context.closePath();
+  }
+  context.fill();
 }
 
 /**

@@ -24,6 +24,7 @@ export const plots = {
   'energy.falls.title': 'Why it falls: energy in one cycle',
   'energy.grows': 'More comes in than goes out: the swing gains {value} a cycle.',
   'energy.lasts': 'In equals out.',
+  'energy.slow': 'In all but equals out, so that it goes slowly.',
   'energy.falls': 'More goes out than comes in: the swing loses {value} a cycle.',
   'energy.rests': 'Nothing swings, so there is no cycle to count.',
   'energy.veiled': 'Hidden until you have guessed.',

@@ -24,6 +24,7 @@ export const plots = {
   'energy.falls.title': 'Neden azalıyor: bir çevrimdeki enerji',
   'energy.grows': 'Giren enerji çıkandan fazla: salınım her çevrimde {value} kazanıyor.',
   'energy.lasts': 'Giren çıkana eşit.',
+  'energy.slow': 'Giren enerji çıkana neredeyse eşit, bu yüzden yavaş ilerliyor.',
   'energy.falls': 'Çıkan enerji girenden fazla: salınım her çevrimde {value} yitiriyor.',
   'energy.rests': 'Salınım yok, sayılacak bir çevrim de yok.',
   'energy.veiled': 'Tahmin edilene dek gizli.',
