@@ -24,7 +24,8 @@ async function scent(page, name, place) {
       const box = hatch.getBoundingClientRect();
       return [box.left, box.right].map((x) => Math.round((100 * (x - track.left)) / track.width));
     })),
-    said: await one.locator('.slider').getAttribute('aria-description'),
+    // How widely it will swing is said, too, as soon as that is known.
+    said: (await one.locator('.slider').getAttribute('aria-description'))?.replace(/(^|\. )Swings .*/, '') || null,
   };
 }
 

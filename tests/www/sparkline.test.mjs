@@ -64,6 +64,9 @@ test('the curve stands over its values, as high as the swing, and what is unstab
   assert.equal(swingsInWords({ diagram, isOld: true }, velocity, voiceOf('en')), '', 'what is old is not said');
   assert.ok(widest && Math.abs(widest.amplitude - Math.max(...diagram.cycles[0].amplitude)) < 1e-12);
 
+  const damped = engine.bifurcation({ model: 'torsional', parameters: { velocity: 80 }, parameter: 'dampingConstant', from: 0, to: 200, step: 0.1, tolerance: 1e-3, probes: 0 });
+  assert.equal(swingsInWords({ diagram: damped, isOld: false }, quantity('dampingConstant'), voiceOf('en')), 'Swings beyond ±29°, widest at 0.0 N m s/rad', 'no more is said than the model is trusted for');
+
   const degree = Math.PI / 180;
   const folded = engine.bifurcation({
     model: 'torsional', parameters: { dampingConstant: 10, casterLength: -0.05, sideForceLimitAngle: 3 * degree, aligningMomentLimitAngle: 20 * degree }, parameter: 'velocity', from: 1, to: 120,

@@ -34,8 +34,9 @@ export function sparklineOf(swings, quantity) {
 export function swingsInWords(swings, quantity, voice) {
   const widest = swings && !swings.isOld ? curveOf(swings.diagram, quantity).widest : null;
   if (!widest) return '';
-  const degrees = (widest.amplitude * 180) / Math.PI;
-  return voice.say('spark.said', { amplitude: `±${voice.number(degrees, Math.min(2, decimalsFor(degrees, 2)))}°`, value: quantity.write(quantity.snapped(widest.value), voice) });
+  const degrees = (Math.min(widest.amplitude, fullHeight) * 180) / Math.PI;
+  const said = { amplitude: `±${voice.number(degrees, Math.min(2, decimalsFor(degrees, 2)))}°`, value: quantity.write(quantity.snapped(widest.value), voice) };
+  return voice.say(widest.amplitude > fullHeight ? 'spark.beyond' : 'spark.said', said);
 }
 
 /** @param {Bifurcation} diagram @param {Quantity} quantity @returns {Curve} */

@@ -1,6 +1,7 @@
 /** Words of the knobs, in English. */
 export const controls = {
   'spark.does': 'The curve over the track: how widely the gear will swing; its full height is ±29°',
+  'spark.beyond': 'Swings beyond {amplitude}, widest at {value}',
   'spark.said': 'Swings up to {amplitude}, at {value}',
 
   'dock.name': 'Values',

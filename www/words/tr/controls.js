@@ -1,6 +1,7 @@
 /** Words of the knobs, in Turkish. @type {typeof import('../en/controls.js').controls} */
 export const controls = {
   'spark.does': 'Çubuğun üstündeki eğri: takımın ne kadar geniş salınacağı; tam yüksekliği ±29°',
+  'spark.beyond': '{amplitude} ötesine salınır, en çok {value} değerinde',
   'spark.said': 'En çok {amplitude} salınır, {value} değerinde',
 
   'dock.name': 'Değerler',
