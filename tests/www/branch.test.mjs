@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
 import { Quantity } from '../../www/controls/quantity.js';
 import { BesideWork } from '../../www/lens/cycles/beside-work.js';
-import { along, cycleAt, heightsOf, highest, nearest, slopeOfSmall, turnsOf } from '../../www/lens/cycles/branches.js';
+import { along, cycleAt, heightsOf, highest, nearest, nearestTo, slopeOfSmall, turnsOf } from '../../www/lens/cycles/branches.js';
+import { pointsOf, restOf, stopsOf } from '../../www/lens/cycles/diagram.js';
 import { branchOf, readBranch, writeBranch } from '../../www/lens/cycles/settings.js';
 import { readLink } from '../../www/link/read.js';
 import { drawBifurcation } from '../../www/view/bifurcation.js';
@@ -201,4 +202,26 @@ test('the gear is put on a cycle, which one undo takes back with its value and i
   store.undo();
   session.refresh();
   near(session.outlook.present.amplitude, branch.amplitude[at], 1e-4);
+});
+
+test('points are named; a wheel that friction holds is at rest whatever linear theory says, and that is said', () => {
+  const shown = { height: /** @type {const} */ ('torsionAngle'), quantity: velocity, isRubbed: false };
+  assert.deepEqual(pointsOf(speeds, shown, english).map(({ kind, text, up }) => [kind, text, up]), [['hopf', 'Hopf 27.6 m/s', 0]]);
+  assert.equal(pointsOf(speeds, { ...shown, isRubbed: true }, english)[0].text, 'Hopf 27.6 m/s, without friction');
+  assert.equal(pointsOf(speeds, { ...shown, isRubbed: true }, voiceOf('tr'))[0].text, 'Hopf 27,6 m/s, sürtünmesiz');
+  assert.deepEqual(restOf(speeds, 'torsionAngle', 0).stable, speeds.equilibria.stable);
+  assert.ok(Array.from(restOf(speeds, 'torsionAngle', 10).stable).every((one) => one === 1));
+  const overFriction = engine.bifurcation({ model: 'torsional', parameters: { velocity: 80, dampingConstant: 20 }, parameter: 'friction.moment', from: 0, to: 100, probes: 1 });
+  const { across, stable } = restOf(overFriction, 'torsionAngle', 0);
+  assert.deepEqual([stable[0], stable[across.length - 1]], [0, 1]);
+  assert.equal(nearestTo(speeds.cycles[0], 'velocity', 27.6) > 0, true, 'never where there is no cycle yet');
+});
+
+test('a simulated sweep lies on the stable branch, and goes another way back where that folds', () => {
+  const sweep = engine.sweep({ model: 'torsional', parameters: { dampingConstant: 20 }, over: { parameter: 'velocity', from: 20, to: 40, count: 5 } });
+  const stops = stopsOf(sweep);
+  assert.equal(stops.length, 10);
+  for (const way of ['up', 'down']) near(stops.find((one) => one.value === 40 && one.way === way)?.up ?? NaN, (18.057 * Math.PI) / 180, 1e-4);
+  const none = stopsOf({ ...sweep, up: { ...sweep.up, kind: sweep.up.kind.map(() => 255) } });
+  assert.ok(none.every(({ way }) => way === 'down'), 'what is not known yet is not drawn');
 });

@@ -135,7 +135,7 @@ export class Basins extends CyclePanel {
         </div>
         ${isVeiled ? this.veil(voice) : html`
           <ul class="endings" aria-label=${voice.say('basins.endings')}>${result && theme ? result.endings.map((ending, i) => html`
-            <li><span class="swatch ${swingsOn(ending) ? 'swings' : ''}" style="background-color: ${colors[i]}"></span>${endingInWords(ending, voice)} <span class="of">${voice.say('basins.share', { share: voice.number((100 * ending.cells) / Math.max(1, known), 0) })}</span></li>`)
+            <li><span class="swatch ${swingsOn(ending) ? 'swings' : ''}" style="background-color: ${colors[i]}"></span>${endingInWords(ending, voice)} <span class="of">${voice.say('basins.share', { share: shareOf(ending.cells / Math.max(1, known), voice) })}</span></li>`)
             : html`<li>${this.#work.isFailed ? voice.say('stability.none') : voice.say('basins.computing')}</li>`}
             ${this.#work.isGoing && result ? html`<li class="of">${voice.say('basins.progress', { share: voice.number(100 * this.#work.fraction, 0) })}
               <button type="button" class="plain" @click=${() => this.#work.cancel()}>${voice.say('basins.cancel')}</button></li>` : nothing}
@@ -193,5 +193,8 @@ export class Basins extends CyclePanel {
     tell(this, 'motion', { values: {}, state: { torsionAngle: this.#start.x, torsionRate: this.#start.y, lateralDeformation: 0 }, gesture });
   }
 }
+
+/** In per cent; what is there at all is more than 0. @param {number} share @param {Voice} voice */
+const shareOf = (share, voice) => voice.number(100 * share, share < 0.01 ? 1 : 0);
 
 customElements.define('shimmy-basins', Basins);

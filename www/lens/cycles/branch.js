@@ -10,7 +10,8 @@ import { roundLimit } from '../../view/scale.js';
 import { parameterOption } from '../stability/option.js';
 import { plainSymbol, rangeInWords } from '../stability/say.js';
 import { BesideWork } from './beside-work.js';
-import { along, cycleAt, heights, heightsOf, highest, nearest, slopeOfSmall, turnsOf } from './branches.js';
+import { along, cycleAt, heights, heightsOf, highest, nearest, nearestTo, slopeOfSmall, turnsOf } from './branches.js';
+import { pointsOf, restOf, stopsOf } from './diagram.js';
 import { OrbitPicture } from './orbit-picture.js';
 import { CyclePanel } from './panel.js';
 import { amplitudeOf, digitsOf, kindOf, multiplierInWords, multipliersOf } from './say.js';
@@ -19,7 +20,6 @@ import { branchOf, lookOf, orbitOf, writeBranch } from './settings.js';
 /**
  * @typedef {import('../../run/scene.js').Scene} Scene
  * @typedef {import('../../words/voice.js').Voice} Voice
- * @typedef {import('../../words/voice.js').Key} Key
  * @typedef {import('./branches.js').Place} Place
  */
 
@@ -173,16 +173,9 @@ export class Branch extends CyclePanel {
   }
 
   /** @param {import('../../pkg/shimmy.js').Bifurcation} diagram @param {Voice} voice */
-  #pointsOf({ parameter, points, cycles }, voice) {
-    const quantity = this.quantity(parameter);
-    const { height } = this.#branch;
-    if (!quantity) return [];
-    return points.map((point) => {
-      const onBranch = point.branch !== null && point.kind !== 'hopf' && point.kind !== 'divergence';
-      const up = onBranch ? heightsOf(cycles[/** @type {number} */ (point.branch)], height)[point.index] : height === 'frequency' ? point.frequency : 0;
-      const kind = point.kind === 'hopf' && point.criticality === 'subcritical' ? 'hopf.subcritical' : point.kind;
-      return { kind: point.kind, across: point[parameter], up, text: voice.say(/** @type {Key} */ (`branch.point.${kind}`), { value: quantity.write(quantity.snapped(point[parameter]), voice) }) };
-    });
+  #pointsOf(diagram, voice) {
+    const quantity = this.quantity(diagram.parameter);
+    return quantity ? pointsOf(diagram, { height: this.#branch.height, quantity, isRubbed: this.scene?.linear.isRubbed ?? false }, voice) : [];
   }
 
   /** @type {import('../../view/canvas.js').Paint} */
@@ -201,23 +194,15 @@ export class Branch extends CyclePanel {
     const cursor = this.#cursor && lines[this.#cursor.branch] ? { across: lines[this.#cursor.branch].across[this.#cursor.index], up: lines[this.#cursor.branch].up[this.#cursor.index] } : null;
     this.#places = drawBifurcation(context, size, {
       quantity, from: range.from, to: range.to, height, limit: this.#axis.limit, branches: lines,
-      rest: diagram && { across: diagram.equilibria[diagram.parameter], up: (diagram.equilibria.state[height] ?? new Float64Array(diagram.equilibria.stable.length)).map(Math.abs), stable: diagram.equilibria.stable, turns: turnsOf(diagram, null) },
+      rest: diagram && restOf(diagram, height, scene.parameters['friction.moment'] ?? 0),
       points: diagram ? this.#pointsOf(diagram, voice) : [],
       law: slope === null ? null : { slope, text: voice.say('branch.law', { slope: voice.number(slope, 2) }) },
-      sweep: this.#stops(height),
+      sweep: this.#isSweeping && this.#sweep.result && !this.#sweep.isOld && height !== 'frequency' ? stopsOf(this.#sweep.result) : [],
       now: { value: scene.parameters[range.parameter], motion, cycle: cycle && up ? { up, stable: cycle.stable ?? true } : null },
       cursor, isOld: isOld && diagram !== null, veiled: isVeiled,
       message: isVeiled ? '' : isFailed ? voice.say('stability.none') : diagram === null ? voice.say('branch.computing') : diagram.cycles.length === 0 && !isOld ? voice.say('branch.none') : '',
     }, theme, voice);
   };
-
-  /** Where the simulated sweep has settled, on its way up and down. @param {import('./branches.js').Height} height */
-  #stops(height) {
-    const { result, isOld } = this.#sweep;
-    if (!this.#isSweeping || !result || isOld || height === 'frequency') return [];
-    return /** @type {const} */ (['up', 'down']).flatMap((way) => Array.from(result.value, (value, i) => ({ value, way, up: result[way].amplitude[i] }))
-      .filter(({ up }, i) => result[way].kind[i] < result.kinds.length && Number.isFinite(up)));
-  }
 
   /** @param {number} most @param {import('./branches.js').Height} height @param {object} scales */
   #hold(most, height, scales) {
@@ -287,7 +272,7 @@ export class Branch extends CyclePanel {
     const on = cycles[branch];
     // Right is where the value rises, whichever way the branch was walked.
     const rises = on[parameter][on[parameter].length - 1] >= on[parameter][0] ? 1 : -1;
-    const index = to ? this.#nearestTo(on, parameter, cycles[before.branch][parameter][before.index]) : this.#cursor ? along(on, before.index, by * rises * (event.shiftKey ? 5 : 1)) : before.index;
+    const index = to ? nearestTo(on, parameter, cycles[before.branch][parameter][before.index]) : this.#cursor ? along(on, before.index, by * rises * (event.shiftKey ? 5 : 1)) : before.index;
     this.#cursor = { branch, index };
     this.#tellCursor(on, index);
     this.requestUpdate();
@@ -295,13 +280,7 @@ export class Branch extends CyclePanel {
 
   /** Where keys begin: where the gear is. @param {import('../../pkg/shimmy.js').Bifurcation} diagram @returns {Place} */
   #beginning({ cycles, parameter }) {
-    return { branch: 0, index: this.#nearestTo(cycles[0], parameter, this.scene?.parameters[parameter] ?? 0) };
-  }
-
-  /** @param {import('../../pkg/shimmy.js').CycleBranch} branch @param {string} parameter @param {number} value */
-  #nearestTo(branch, parameter, value) {
-    const off = (/** @type {number} */ i) => (branch.amplitude[i] > 0 ? Math.abs(branch[parameter][i] - value) : Infinity);
-    return branch.amplitude.reduce((best, _, i) => (off(i) < off(best) ? i : best), 0);
+    return { branch: 0, index: nearestTo(cycles[0], parameter, this.scene?.parameters[parameter] ?? 0) };
   }
 
   /** @param {import('../../pkg/shimmy.js').CycleBranch} branch @param {number} index */

@@ -75,3 +75,9 @@ export function turnsOf({ points }, of) {
   const isRest = (/** @type {{ kind: string }} */ { kind }) => kind === 'hopf' || kind === 'divergence';
   return points.filter((point) => (of === null ? isRest(point) : !isRest(point) && point.branch === of)).map(({ index }) => index);
 }
+
+/** The cycle of a branch that is nearest to a value of what varies. @param {CycleBranch} branch @param {string} parameter @param {number} value */
+export function nearestTo(branch, parameter, value) {
+  const off = (/** @type {number} */ i) => (branch.amplitude[i] > 0 ? Math.abs(branch[parameter][i] - value) : Infinity);
+  return branch.amplitude.reduce((best, _, i) => (off(i) < off(best) ? i : best), 0);
+}

@@ -58,6 +58,7 @@ export const cycles = {
   'branch.point.period-doubling': 'period doubling {value}',
   'branch.point.branch-point': 'branch point {value}',
   'branch.point.divergence': 'divergence {value}',
+  'branch.frictionless': '{point}, without friction',
   'branch.law': 'in proportion: ψ = {slope} ψfp',
   'branch.computing': 'Following the branches …',
   'branch.none': 'No cycle over this range.',

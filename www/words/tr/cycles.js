@@ -58,6 +58,7 @@ export const cycles = {
   'branch.point.period-doubling': 'periyot katlanması {value}',
   'branch.point.branch-point': 'dallanma noktası {value}',
   'branch.point.divergence': 'ıraksama {value}',
+  'branch.frictionless': '{point}, sürtünmesiz',
   'branch.law': 'orantılı: ψ = {slope} ψfp',
   'branch.computing': 'Dallar izleniyor …',
   'branch.none': 'Bu aralıkta çevrim yok.',
