@@ -27,6 +27,7 @@ export class SvgContext {
   miterLimit = 10;
   lineDashOffset = 0;
   globalAlpha = 1;
+  imageSmoothingEnabled = true;
   font = '10px sans-serif';
   /** @type {CanvasTextAlign} */ textAlign = 'start';
   /** @type {CanvasTextBaseline} */ textBaseline = 'alphabetic';
@@ -78,9 +79,9 @@ export class SvgContext {
   }
 
   save() {
-    const { fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, miterLimit, lineDashOffset, globalAlpha, font, textAlign, textBaseline } = this;
+    const { fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, miterLimit, lineDashOffset, globalAlpha, imageSmoothingEnabled, font, textAlign, textBaseline } = this;
     this.#saved.push({
-      styles: { fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, miterLimit, lineDashOffset, globalAlpha, font, textAlign, textBaseline },
+      styles: { fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, miterLimit, lineDashOffset, globalAlpha, imageSmoothingEnabled, font, textAlign, textBaseline },
       matrix: this.#matrix, dash: this.#dash, clip: this.#clip,
     });
   }
@@ -219,8 +220,9 @@ export class SvgContext {
   drawImage(image, x, y, width, height) {
     if (!image.toDataURL) throw new Error('only a canvas can be drawn into an SVG');
     const opacity = this.globalAlpha < 1 ? ` opacity="${this.globalAlpha}"` : '';
+    const pixels = this.imageSmoothingEnabled ? '' : ' style="image-rendering: pixelated"';
     this.#draw(`<image x="${short(x)}" y="${short(y)}" width="${short(width)}" height="${short(height)}"${turned(this.#matrix)}`
-      + ` preserveAspectRatio="none"${opacity} href="${image.toDataURL()}"/>`);
+      + ` preserveAspectRatio="none"${opacity}${pixels} href="${image.toDataURL()}"/>`);
   }
 
   /** @param {number} x1 @param {number} y1 @param {number} x2 @param {number} y2 */

@@ -201,8 +201,10 @@ test('an image keeps its pixels, is stretched as told, and turns with the axes',
   const image = /** @type {HTMLCanvasElement} */ (/** @type {unknown} */ ({ toDataURL: () => 'data:image/png;base64,AAAA' }));
   context.asContext.drawImage(image, 10, 20, 80, 40);
   context.translate(5, 6);
+  context.asContext.imageSmoothingEnabled = false;
   context.asContext.drawImage(image, 0, 0, 8, 4);
   const [first, second] = elements(context, 'image');
+  assert.ok(!first.includes('image-rendering') && second.includes('image-rendering: pixelated'), 'cells with edges keep them');
   assert.match(first, /x="10" y="20" width="80" height="40"/);
   assert.match(first, /preserveAspectRatio="none" href="data:image\/png;base64,AAAA"/);
   assert.match(second, /matrix\(1 0 0 1 5 6\)/);
