@@ -102,7 +102,7 @@ for (const [width, height] of [[1440, 900], [1100, 700], [1024, 768], [720, 450]
   });
 
 for (const [width, height] of [[1440, 900], [1366, 768], [1100, 700], [1024, 768], [720, 450], [390, 844], [360, 640]])
-  test(`no knob's name is cut at ${width} × ${height}, wherever it stands, in both languages`, async () => {
+  test(`no knob's name and no number is cut at ${width} × ${height}, wherever it stands, in both languages`, async () => {
     for (const locale of ['en-US', 'tr-TR']) {
       const { page, leave } = await site.open('', { viewport: { width, height }, locale, reducedMotion: 'reduce' });
       await page.locator('shimmy-dock .scent-number').first().waitFor();
@@ -121,6 +121,8 @@ for (const [width, height] of [[1440, 900], [1366, 768], [1100, 700], [1024, 768
             const name = line.querySelector('.name > span:last-child');
             const { right } = name.getBoundingClientRect();
             const isCut = name.scrollWidth > name.clientWidth || right > line.querySelector('.number').getBoundingClientRect().left;
+            const number = line.querySelector('.number');
+            if (number.scrollWidth > number.clientWidth) found.add(`${name.textContent} ${number.value}`);
             if (isCut || line.lastElementChild.getBoundingClientRect().right > line.getBoundingClientRect().right + 0.5) found.add(name.textContent);
           }
         }

@@ -88,6 +88,22 @@ test('while it is to be guessed the table hides what becomes of each run, from s
   await leave();
 });
 
+test('each row of the table is of the motion that the run settles on: on a cycle as much goes out as comes in', async () => {
+  const { page, leave } = await site.open(`#shimmy=2&velocity=80&dampingConstant=20&initial.torsionAngle=0.05&lens=compare${ghost(60)}${ghost(20)}`, { reducedMotion: 'reduce' });
+  const rows = page.locator('shimmy-compare-table tbody tr');
+  await rows.nth(2).waitFor();
+  await page.keyboard.press('r');
+  const cells = async (/** @type {number} */ row) => (await rows.nth(row).locator('.figure').allInnerTexts());
+  for (const row of [0, 1]) {
+    const [amplitude, frequency, energy] = await cells(row);
+    const [fed, taken] = energy.split('\n').map((text) => Number(text.replaceAll(/[^\d.]/g, '')));
+    assert.ok(fed > 1000 && Math.abs(fed - taken) <= 1, `${fed} ${taken}`);
+    if (row === 0) assert.deepEqual([amplitude, frequency].map((text) => text.replaceAll('\u00a0', ' ')), ['±15.2°', '51.9 Hz']);
+  }
+  assert.deepEqual(await cells(2), ['0°', '–', '–'], 'what dies out has no cycle to count');
+  await leave();
+});
+
 for (const locale of ['en-US', 'tr-TR'])
   test(`the table of ghosts fits beside the gear: ${locale}`, async () => {
     const { page, leave } = await site.open(`${settled}&lens=compare${ghost(50)}`, { viewport: { width: 1440, height: 900 }, locale });

@@ -15,6 +15,9 @@ const mostKnobs = 4;
 /** A projector shows few things, and those large. */
 const mostOnProjector = 2;
 
+/** Numbers from here on need a wider field. */
+const widest = 1e5;
+
 const oneAtATime = matchMedia('(max-width: 999px), (max-width: 1099px) and (max-height: 639px)');
 const projector = matchMedia('(min-width: 1000px) and (max-width: 1099px) and (min-height: 640px)');
 
@@ -120,7 +123,7 @@ export class Dock extends LitElement {
   #knob(quantity, voice) {
     const { name } = quantity;
     return html`
-      <shimmy-knob data-place="dock" data-name=${name}
+      <shimmy-knob data-place="dock" data-name=${name} ?data-wide=${quantity.max >= widest}
         .quantity=${quantity} .value=${this.values[name]} .usual=${this.usual[name]} .links=${this.links} .voice=${voice}
         .unstable=${this.isVeiled ? null : this.unstable(name)} .swings=${this.isVeiled ? null : this.swings(name)} .isExplained=${this.explained === name} .change=${this.change}></shimmy-knob>`;
   }

@@ -100,9 +100,14 @@ export function swingOf(live, { outlook, frequency }) {
   const share = amplitude.torsionAngle > 0 ? amplitude.lateralDeformation / amplitude.torsionAngle : 0.2;
   return {
     angle: widest,
-    rate: Math.max(rate, 2 * Math.PI * (frequency ?? 0) * widest),
-    deformation: Math.max(deformation, share * widest),
+    rate: Math.max(rate, 2 * Math.PI * (frequency ?? 0) * widest, most(outlook.orbit.torsionRate)),
+    deformation: Math.max(deformation, share * widest, most(outlook.orbit.lateralDeformation)),
   };
+}
+
+/** @param {Float64Array} series */
+function most(series) {
+  return series.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0);
 }
 
 /** The largest ψ to come, in rad. @param {import('../engine/engine.js').Outlook} outlook */

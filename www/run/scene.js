@@ -17,7 +17,7 @@ import { roundStep } from '../view/scale.js';
 import { cycleLooks } from './cycle-looks.js';
 import { spanFor } from './fit.js';
 import { linearLooks } from './linear-looks.js';
-import { onward } from './lookout.js';
+import { onward, stepsAhead } from './lookout.js';
 
 /** Cycles that the trail shows, and that of a ghost. */
 const pastCycles = 8;
@@ -144,6 +144,12 @@ function looksFurther(engine, live, beat) {
     linear: linearLooks(engine, model, () => live.recipe.initial),
     /** What is known of its motions that repeat. */
     cycles: cycleLooks(engine, model, () => live.stateByName),
+    /** What goes in and out in a cycle of the motion that a run or a ghost goes to; null where it goes to none. @param {string} of @param {Readonly<Record<string, number>>} values @param {Outlook} goal */
+    energySettled: (of, values, { orbit, frequency }) => {
+      if (!frequency || orbit.time.length === 0) return null;
+      const initial = { torsionAngle: orbit.torsionAngle[0], torsionRate: orbit.torsionRate[0], lateralDeformation: orbit.lateralDeformation[0] };
+      return engine.energy({ model: of, parameters: values, initial, duration: 1 / frequency, maxSteps: stepsAhead });
+    },
     /** The forces of a ghost at its state. @param {{ kept: { object: string }, parameters: Readonly<Record<string, number>>, state: Float64Array }} ghost */
     forcesOf: (ghost) => engine.forces({ model: ghost.kept.object, parameters: ghost.parameters }, ghost.state),
   };

@@ -8,8 +8,8 @@ import { ghostDashes } from './strokes.js';
  * @typedef {import('./energy-balance.js').Energy} Energy
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {{ symbol: string, text: string }} Change a value that differs from the run's: `c_Fα`, `18 1/rad`
- * @typedef {{ manner: import('../stage/manner.js').Manner, amplitude: number, frequency: number | null, energy: Energy | null }} Becomes
- *   `amplitude` in rad, `frequency` in Hz, `energy` of one cycle
+ * @typedef {{ manner: import('../stage/manner.js').Manner, amplitude: number | null, frequency: number | null, energy: Energy | null }} Becomes
+ *   where it has settled: `amplitude` in rad, null where it never does, `frequency` in Hz, `energy` of one cycle
  * @typedef {{ changes: Change[], becomes: Becomes | null }} Compared `becomes`: null where it is to be guessed first, as a
  *   ghost may be the very run
  */
@@ -87,10 +87,10 @@ function results({ manner, amplitude, frequency, energy }, voice) {
   const { fed, taken, whole } = balanceOf(energy);
   const write = energyWriter(whole, voice);
   const sum = (/** @type {{ value: number }[]} */ parts) => write(parts.reduce((total, { value }) => total + value, 0));
-  const shown = amplitude * quantities.torsionAngle.perSI;
+  const shown = (amplitude ?? 0) * quantities.torsionAngle.perSI;
   return html`
     <td class="verdict">${voice.say(`verdict.${manner}`)}</td>
-    <td class="figure">${amplitude > 0 ? `±${valueOf(quantities.torsionAngle, amplitude, shown < 2 ? 2 : 1, voice)}` : '0°'}</td>
+    <td class="figure">${amplitude === null ? '–' : amplitude > 0 ? `±${valueOf(quantities.torsionAngle, amplitude, shown < 2 ? 2 : 1, voice)}` : '0°'}</td>
     <td class="figure">${frequency ? `${voice.number(frequency, 1)} Hz` : '–'}</td>
     <td class="figure">${whole > 0 ? html`+${sum(fed)}<br>−${sum(taken)}` : '–'}</td>`;
 }
