@@ -233,6 +233,28 @@ test('on a phone the field is behind its button, its rows are large, and the sto
   await leave();
 });
 
+for (const locale of ['en-US', 'tr-TR'])
+  test(`a projector has place, Back, Next, the way out, undo and all lenses in sight: ${locale}`, async () => {
+    const { page, leave } = await site.open('#shimmy=2&velocity=50&dampingConstant=100&freeplayAngle=0.01745&initial.torsionAngle=0.05', { viewport: { width: 1024, height: 768 }, locale });
+    // What to try is to close the gap: its knob is one of the two.
+    await page.locator('shimmy-dock [data-name="freeplayAngle"]').waitFor();
+    assert.equal(await page.locator('shimmy-dock shimmy-knob').count(), 2);
+    await type(page, 'freeplayAngle', '0');
+    await page.locator('shimmy-dock [data-name="freeplayAngle"]').waitFor();
+    await page.keyboard.press('PageDown');
+    await page.keyboard.press('PageDown');
+    await page.locator('.tale').getByText(/2 (of|\/) 5/).waitFor();
+    for (const what of ['.story-title', '.tale .back', '.tale .next', '.tale .come-back', 'shimmy-header > .undo', 'shimmy-header > .redo', '#tab-compare']) {
+      const box = await page.locator(what).boundingBox();
+      assert.ok(box && box.width > 20 && box.height > 10 && box.x >= 0 && box.x + box.width <= 1024, `${what}: ${JSON.stringify(box)}`);
+    }
+    const cut = await page.locator('.story-title').evaluate((title) => title.scrollWidth > title.clientWidth);
+    assert.ok(!cut, 'the place in the story is whole');
+    await page.locator('.tale .come-back').click();
+    await page.waitForURL(/dampingConstant=100/);
+    await leave();
+  });
+
 for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]])
   for (const colorScheme of /** @type {const} */ (['light', 'dark']))
     test(`axe-core finds nothing with a story told and the list open at ${width} × ${height}, ${colorScheme}`, async () => {

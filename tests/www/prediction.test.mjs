@@ -53,6 +53,9 @@ test('what was said is held against what came', () => {
   assert.equal(said({ guess: 'grows', outcome: grown }, en), 'You said 3, it grows. Right.');
   assert.equal(said({ guess: 'dies-out', outcome: grown }, en), 'You said 1, it dies out. No. It grows to ±39.2°.');
   assert.equal(said({ guess: 'holds', outcome: fallen }, en), 'You said 2, it holds. Right.');
+  // A swing that still creeps up by less than a tenth: the rule is said again, for the verdict beside says that it grows.
+  const nearly = outcomeOf(outlook('shimmies', 0.265), 0.255);
+  assert.equal(said({ guess: 'grows', outcome: nearly }, en), 'You said 3, it grows. No. It holds at ±15.2°, at most 10 % wider than it was.');
   assert.equal(said({ guess: 'dies-out', outcome: fallen }, en), 'You said 1, it dies out. No. It falls to ±5.7° and holds there.');
   assert.equal(said({ guess: null, outcome: grown }, en), 'It grows to ±39.2°.');
   assert.equal(said({ guess: 'dies-out', outcome: grown }, tr), '1 dedin: söner. Hayır. ±39,2° genliğe büyüyor.');

@@ -12,8 +12,9 @@ import { symbolOf } from './symbol.js';
 /** The knobs that are at hand where no story chooses others, the most telling first. An object that lacks one has the next. */
 export const usualKnobs = ['velocity', 'dampingConstant', 'casterLength', 'freeplayAngle', 'torsionalStiffness'];
 const mostKnobs = 4;
-/** A projector shows few things, and those large. */
+/** A projector shows few things, and those large: where a gear has had a gap, that and what cures it. */
 const mostOnProjector = 2;
+const knobsOfGap = ['freeplayAngle', 'dampingConstant'];
 
 /** Numbers from here on need a wider field. */
 const widest = 1e5;
@@ -40,6 +41,8 @@ export class Dock extends LitElement {
     isOpen: { attribute: false },
     chosen: { state: true },
   };
+
+  /** Whether the gear has had a gap since it, or the story, was chosen. */ #hasHadGap = false;
 
   constructor() {
     super();
@@ -79,6 +82,9 @@ export class Dock extends LitElement {
   /** @param {Map<string, unknown>} changed */
   willUpdate(changed) {
     if (changed.has('knobs')) this.chosen = null;
+    // Which stays so when a hand closes the gap, or its knob would go from under the hand.
+    if (changed.has('knobs') || changed.has('quantities')) this.#hasHadGap = false;
+    if ((this.values.freeplayAngle ?? 0) > 0) this.#hasHadGap = true;
   }
 
   render() {
@@ -109,7 +115,8 @@ export class Dock extends LitElement {
 
   /** The knobs that the dock may show: the story's, then the usual ones, as far as the object has them. */
   get #atHand() {
-    const names = [...new Set([...this.knobs, ...usualKnobs])];
+    const ofGap = projector.matches && this.#hasHadGap && this.knobs.length === 0 ? knobsOfGap : [];
+    const names = [...new Set([...this.knobs, ...ofGap, ...usualKnobs])];
     return names.flatMap((name) => this.quantities.filter((quantity) => quantity.name === name)).slice(0, mostKnobs);
   }
 

@@ -99,8 +99,8 @@ export class Strip extends LitElement {
 
   /** @param {Voice} voice */
   #wayOut(voice) {
-    return html`<button type="button" class="way-out" @click=${() => tell(this, this.canComeBack ? 'comeBack' : 'endStory')}>${
-      voice.say(this.canComeBack ? 'story.comeBack' : 'story.end')}</button>`;
+    const does = voice.say(this.canComeBack ? 'story.comeBack' : 'story.end');
+    return html`<button type="button" class="way-out ${this.canComeBack ? 'come-back' : ''}" title=${does} @click=${() => tell(this, this.canComeBack ? 'comeBack' : 'endStory')}>${does}</button>`;
   }
 }
 

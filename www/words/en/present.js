@@ -23,7 +23,7 @@ export const present = {
   'predict.right': 'Right.',
   'predict.becomes.dies-out': 'It dies out.',
   'predict.becomes.rests': 'It comes to rest.',
-  'predict.becomes.holds': 'It holds at {amplitude}.',
+  'predict.becomes.holds': 'It holds at {amplitude}, at most 10 % wider than it was.',
   'predict.becomes.falls': 'It falls to {amplitude} and holds there.',
   'predict.becomes.grows': 'It grows to {amplitude}.',
   'predict.becomes.beyond': 'It grows beyond the model.',

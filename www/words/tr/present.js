@@ -23,7 +23,7 @@ export const present = {
   'predict.right': 'Doğru.',
   'predict.becomes.dies-out': 'Sönüyor.',
   'predict.becomes.rests': 'Durup kalıyor.',
-  'predict.becomes.holds': '{amplitude} genlikte sürüyor.',
+  'predict.becomes.holds': '{amplitude} genlikte sürüyor: öncekinden en çok %10 geniş.',
   'predict.becomes.falls': '{amplitude} genliğe iniyor ve orada sürüyor.',
   'predict.becomes.grows': '{amplitude} genliğe büyüyor.',
   'predict.becomes.beyond': 'Modelin ötesine büyüyor.',
