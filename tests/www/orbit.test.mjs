@@ -4,6 +4,7 @@ import { firstLook, lowness, projectionOf, turnedByDrag, turnedByKey } from '../
 import { drawOrbit } from '../../www/view/orbit.js';
 import { voiceOf } from '../../www/words/voice.js';
 import { numbersOf, recordingContext, written } from './plot-recorder.mjs';
+import { engine } from './stories.mjs';
 import { theme } from './theme.mjs';
 
 const degree = Math.PI / 180;
@@ -34,6 +35,22 @@ function drawn(more = {}, language = 'en', canvas = size) {
   return recorder;
 }
 const angles = [0, 20, 45, 90, 135, 180, -160, -90, -30].flatMap((yaw) => [0, 15, 40, 75, 90].map((pitch) => ({ yaw: yaw * degree, pitch: pitch * degree })));
+
+test('from where it is seen first no cycle is seen on edge: not the opening one, not that of figure 5.88a', () => {
+  const figure = engine.atlas().find(({ id }) => id === 'Figure 5.88a')?.run;
+  assert.ok(figure);
+  const opening = { model: 'torsional', parameters: { velocity: 80, dampingConstant: 20 }, initial: { torsionAngle: 0.05 } };
+  for (const { model, parameters, initial } of [opening, figure]) {
+    const { orbit } = engine.outlook({ model, parameters, initial });
+    const most = (/** @type {Float64Array} */ series) => series.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0);
+    const shares = [orbit.torsionAngle, orbit.torsionRate, orbit.lateralDeformation].map((series) => Array.from(series, (value) => value / most(series)));
+    const { scale, across, up } = projectionOf(firstLook, area);
+    const points = shares[0].map((x, i) => [across(x, shares[1][i]), up(x, shares[1][i], shares[2][i])]);
+    const doubled = points.reduce((sum, [x, y], i) => { const [x2, y2] = points[(i + 1) % points.length]; return sum + x * y2 - x2 * y; }, 0);
+    // A circle of the box's half width, seen face on, has π.
+    assert.ok(Math.abs(doubled) / 2 / scale ** 2 > 0.65 * Math.PI, `${Math.abs(doubled) / 2 / scale ** 2}`);
+  }
+});
 
 test('the projection is a turn: seen from any side a sphere stays a circle of one size', () => {
   for (const look of angles) {

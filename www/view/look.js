@@ -7,8 +7,12 @@
  * @typedef {{ x: number, y: number }} Point in pixels
  */
 
-/** From the right and a little from above: there a shimmy's cycle shows its upper side. @type {Look} */
-export const firstLook = { yaw: (56 * Math.PI) / 180, pitch: (20 * Math.PI) / 180 };
+/**
+ * From the side and a little from above: there the cycles of a shimmy lie open, those of slow gears, too, whose y follows ψ̇ more
+ * than ψ and which from the right are seen on edge.
+ * @type {Look}
+ */
+export const firstLook = { yaw: (105 * Math.PI) / 180, pitch: (20 * Math.PI) / 180 };
 
 /** The box is this much lower than it is wide. */
 export const lowness = 0.8;

@@ -24,15 +24,15 @@ export function writeHeadLabels(desk) {
   writeGap(desk);
 }
 
-/** Over its eye, where the round detail leaves room for the word. @param {Desk} desk */
+/** Over its eye, where the round detail leaves room for the word; a long one above the round. @param {Desk} desk */
 function writeDamper({ ctx, sheet, theme, words }) {
   const { head, small } = sheet;
   const runs = [plain(words.damper)];
   const x = sheet.width - 8 - widthOf(ctx, runs, small, theme);
   const style = { size: small, color: theme.ink2, halo: null };
-  const fitting = [0.93, 0.97, 1.01].find((share) => {
+  const fitting = [0.93, 0.97, 1.01, 1.05, 1.09, 1.13].find((share) => {
     const foot = Math.max(0, share * head.radius - 0.5 * small);
-    return x > head.x + Math.sqrt(head.radius ** 2 - foot ** 2) + 4;
+    return x > head.x + Math.sqrt(Math.max(0, head.radius ** 2 - foot ** 2)) + 4 && head.y - share * head.radius > 0.7 * small;
   });
   if (fitting) writeStill(ctx, sheet, runs, { x, y: head.y - fitting * head.radius }, style, theme);
 }

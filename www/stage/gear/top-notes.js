@@ -56,9 +56,11 @@ function writeSpeed(desk) {
   if (velocity === undefined) return right;
   const speed = formatNumber(velocity, Number.isInteger(velocity) ? 0 : 1, words.language);
   const arrow = sheet.roomy ? 0.115 * sheet.width : 44;
-  const style = { size: sheet.label, color: theme.ink2, halo: theme.ground, stays: true };
+  const style = { size: sheet.label, color: theme.ink2, halo: theme.ground, stays: true, farthest: sheet.roomy ? undefined : 0 };
+  // Where there is little room the arrow goes first, then the words: the dock has the speed, too.
   const written = putLabel(desk, [symbol('v'), strong(` ${speed} m/s`)], style, (width, height) => [
     { x: right - arrow - 8 - width, y: sheet.band.bottom - 3 - height },
+    { x: right - width, y: sheet.band.bottom - 3 - height },
   ]);
   if (!written) return right;
   const y = written.y + written.height / 2;
