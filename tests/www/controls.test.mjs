@@ -24,6 +24,30 @@ test('angles are degrees on the page and radians behind it', () => {
   assert.equal(quantity({ unit: '1' }).unit, '');
 });
 
+test('a number may be typed with its unit, or with another that people think in', () => {
+  const knots = quantity({ name: 'velocity', unit: 'm/s', min: 1, max: 120 }, 'kn');
+  const force = quantity({ unit: 'N', max: 20_000 });
+  const damping = quantity({ unit: 'N m s/rad', max: 200 });
+  const close = (/** @type {Quantity} */ of, /** @type {string} */ text, /** @type {number} */ si) =>
+    assert.ok(Math.abs(of.toSI(of.read(text)) - si) < 1e-9 * Math.max(1, si), `${text}: ${of.toSI(of.read(text))}`);
+  close(speed, '150 kn', 150 * 1852 / 3600);
+  close(speed, '150kt', 150 * 1852 / 3600);
+  close(speed, '288 km/h', 80);
+  close(speed, '80 m/s', 80);
+  close(knots, '80 m/s', 80);
+  assert.equal(knots.read('100 kn'), 100);
+  assert.equal(gap.read('1,5°'), 1.5);
+  assert.equal(gap.read('1.5 deg'), 1.5);
+  close(gap, '0.01 rad', 0.01);
+  close(force, '9 kN', 9000);
+  close(force, '9000 N', 9000);
+  close(quantity({}), '100 mm', 0.1);
+  assert.equal(damping.read('40 N m s/rad'), 40);
+  assert.equal(speed.read('80'), 80);
+  for (const text of ['80 kg', '5° 3', 'fast', 'kn', '°']) assert.ok(Number.isNaN(speed.read(text)), text);
+  assert.ok(Number.isNaN(quantity({ unit: '1' }).read('3 m')));
+});
+
 test('a speed is shown in the unit that was chosen, and typed in it', () => {
   // A knot is 1852 m in 3600 s: 80 m/s are 155.5076 of them.
   const knots = quantity({ name: 'velocity', unit: 'm/s', min: 1, max: 120 }, 'kn');

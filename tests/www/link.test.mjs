@@ -187,6 +187,14 @@ test('what is left out says what stands instead', () => {
   ]);
 });
 
+test('a run begins no further turned than once around', () => {
+  const engineTakesAll = () => true;
+  for (const [angle, isTaken] of /** @type {const} */ ([['6.2', true], ['-6.2', true], ['6.3', false], ['1e9', false], ['-1e9', false]])) {
+    const read = readLink(`#shimmy=2&initial.torsionAngle=${angle}`, models, engineTakesAll);
+    assert.deepEqual(read?.problems.map(({ reason }) => reason), isTaken ? [] : ['too-large'], angle);
+  }
+});
+
 test('names of the language itself are unknown keys, not keys', () => {
   const read = readLink('#shimmy=1&__proto__=1&constructor=2&initial.toString=3', models, accepts);
   assert.deepEqual(read?.problems.map(({ reason }) => reason), ['unknown', 'unknown', 'unknown']);

@@ -1,6 +1,5 @@
 import { LitElement, html, nothing } from 'lit';
 import { tell } from '../command.js';
-import { parseNumber } from '../words/number.js';
 import { chainsOf } from './chains.js';
 import { nameOf } from './quantity.js';
 import { explain } from './refusal.js';
@@ -149,7 +148,7 @@ export class Knob extends LitElement {
     const { quantity, voice } = this;
     if (!quantity || !voice) return;
     const field = /** @type {HTMLInputElement} */ (event.target);
-    const shown = parseNumber(field.value);
+    const shown = quantity.read(field.value);
     if (Number.isNaN(shown)) {
       this.refusal = { code: 'not-a-number' };
       return;

@@ -5,9 +5,9 @@
  * @typedef {import('../words/voice.js').Voice} Voice
  */
 
-import { decimalsOf } from '../words/number.js';
+import { decimalsOf, parseNumber } from '../words/number.js';
 import { isWord } from '../words/voice.js';
-import { shownUnit } from './unit.js';
+import { shownUnit, typedUnit } from './unit.js';
 
 export class Quantity {
   #unit;
@@ -44,6 +44,18 @@ export class Quantity {
   /** @param {number} shown */
   toSI(shown) {
     return shown * this.#unit.size;
+  }
+
+  /**
+   * Reads what a person typed: a number, with a unit behind it or not.
+   * @param {string} text
+   * @returns {number} as shown; NaN for what is no number
+   */
+  read(text) {
+    const typed = typedUnit(text, this.parameter.unit);
+    if (!typed) return parseNumber(text);
+    const number = parseNumber(typed.number);
+    return typed.size === this.#unit.size ? number : this.toShown(number * typed.size);
   }
 
   /**

@@ -33,6 +33,27 @@ export function shownUnit(unit, velocityUnit) {
   return unit === 'm/s' ? velocities[velocityUnit] : others[unit] ?? { name: unit, size: 1, isRound: true };
 }
 
+/** What may be typed behind a number, by the unit of the engine's table: how much of that one is. Others know their own alone. @type {Readonly<Record<string, Readonly<Record<string, number>>>>} */
+const typed = {
+  'm/s': { 'm/s': 1, kn: velocities.kn.size, kt: velocities.kn.size, 'km/h': velocities['km/h'].size },
+  rad: { rad: 1, '°': others.rad.size, deg: others.rad.size, derece: others.rad.size },
+  N: { N: 1, kN: 1000 },
+  m: { m: 1, cm: 0.01, mm: 0.001 },
+};
+
+/**
+ * A number that was typed with its unit behind it: the number as text, and how much of the table's unit one of it is; null
+ * where no unit that is known stands there.
+ * @param {string} text
+ * @param {string} unit of the engine's table
+ */
+export function typedUnit(text, unit) {
+  const known = typed[unit] ?? (unit === '1' ? {} : { [unit]: 1 });
+  const whole = text.trim();
+  const name = Object.keys(known).sort((one, other) => other.length - one.length).find((one) => whole.toLowerCase().endsWith(one.toLowerCase()));
+  return name === undefined ? null : { number: whole.slice(0, -name.length), size: known[name] };
+}
+
 /** The unit after this one, round and round. @param {VelocityUnit} unit */
 export function nextVelocityUnit(unit) {
   return velocityUnits[(velocityUnits.indexOf(unit) + 1) % velocityUnits.length];

@@ -104,6 +104,9 @@ function isOfTable(key, table) {
   return table.parameters.some(({ name }) => name === key) || table.state.some(({ name }) => `initial.${name}` === key);
 }
 
+/** A run begins no further turned than once around, in rad: what is wider is a slip, and no axis has numbers for it. */
+const widestStart = 2 * Math.PI;
+
 /** @type {Readonly<Record<string, (reading: Reading, value: string) => Problem['reason'] | null>>} */
 export const readers = {
   shimmy: (_, value) => (['1', String(version)].includes(value) ? null : Number(value) > version ? 'newer' : 'version'),
@@ -267,6 +270,7 @@ function readPair(reading, key, value) {
   if (!isParameter && !isState) return 'unknown';
   if (!Number.isFinite(number)) return notFinite(number);
   if (!accepted(reading, isParameter ? { [name]: number } : {}, isState ? { [name]: number } : {})) return 'refused';
+  if (isState && name === 'torsionAngle' && Math.abs(number) > widestStart) return 'too-large';
   (isState ? run.initial : prefix ? run.start : state.parameters)[name] = number;
   return null;
 }

@@ -1,7 +1,6 @@
 import { html } from 'lit';
 import { nameOf } from '../../controls/quantity.js';
 import { explain } from '../../controls/refusal.js';
-import { parseNumber } from '../../words/number.js';
 import { writeRange } from './settings.js';
 
 /**
@@ -47,7 +46,7 @@ export class RangeFields {
         aria-invalid=${isRefused ? 'true' : 'false'} aria-describedby=${`${this.#id}-why`}
         @change=${(/** @type {Event} */ event) => {
           const { value: text } = /** @type {HTMLInputElement} */ (event.target);
-          const next = { ...range, [end]: quantity.toSI(parseNumber(text)) };
+          const next = { ...range, [end]: quantity.toSI(quantity.read(text)) };
           const why = this.#whyNot(quantity, end, next, range, voice);
           this.#refused = why ? { of: writeRange(range), end, text, why } : null;
           this.#lens.requestUpdate();
