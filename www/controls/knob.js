@@ -158,7 +158,7 @@ export class Knob extends LitElement {
       return;
     }
     // What stands there already is no new value, however it is written: it would lose the digits that are not shown.
-    if (shown !== parseNumber(quantity.number(this.value, voice))) this.#set(quantity.toSI(shown));
+    if (shown !== quantity.read(quantity.number(this.value, voice))) this.#set(quantity.toSI(shown));
     else this.refusal = null;
     if (!this.refusal) field.value = quantity.number(quantity.toSI(shown), voice);
   }
