@@ -200,7 +200,7 @@ test('another object: the dock follows its table, and what is not built is dimme
   assert.equal(await knob(page, 'freeplayAngle').number.count(), 0);
   assert.equal(await knob(page, 'torsionalStiffness').number.count(), 1);
   await page.getByRole('button', { name: 'All 12 values' }).click();
-  assert.equal(await page.locator('.drawer-knobs shimmy-knob').count(), 11);
+  assert.equal(await page.locator('.drawer-knobs shimmy-knob').count(), 12);
   assert.ok(await page.locator('select.object:visible option[value="van-der-pol"]').isDisabled());
   await page.waitForURL(/model=torsional-linear/);
   await page.getByRole('button', { name: 'Undo' }).click();
