@@ -17,6 +17,9 @@ import { CyclePanel } from './panel.js';
 import { amplitudeOf, digitsOf, kindOf, multiplierInWords, multipliersOf } from './say.js';
 import { branchOf, lookOf, orbitOf, writeBranch } from './settings.js';
 
+/** How far the axis goes while its limit would tell how wide the cycles are, in what is shown. */
+const veiledLimit = 20;
+
 /**
  * @typedef {import('../../run/scene.js').Scene} Scene
  * @typedef {import('../../words/voice.js').Voice} Voice
@@ -193,7 +196,7 @@ export class Branch extends CyclePanel {
     const slope = diagram && height === 'torsionAngle' ? slopeOfSmall(diagram) : null;
     const cursor = this.#cursor && lines[this.#cursor.branch] ? { across: lines[this.#cursor.branch].across[this.#cursor.index], up: lines[this.#cursor.branch].up[this.#cursor.index] } : null;
     this.#places = drawBifurcation(context, size, {
-      quantity, from: range.from, to: range.to, height, limit: this.#axis.limit, branches: lines,
+      quantity, from: range.from, to: range.to, height, limit: isVeiled ? veiledLimit / shown[height].perSI : this.#axis.limit, branches: lines,
       rest: diagram && restOf(diagram, height, scene.parameters['friction.moment'] ?? 0),
       points: diagram ? this.#pointsOf(diagram, voice) : [],
       law: slope === null ? null : { slope, text: voice.say('branch.law', { slope: voice.number(slope, 2) }) },

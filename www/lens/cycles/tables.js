@@ -55,6 +55,8 @@ export class CycleTables extends RowsPanel {
   content(voice) {
     if (!this.#isOurs) return html`<p class="panel-empty">${voice.say('tables.foreign')}</p>`;
     const columns = this.#columns(voice);
+    // Until its own rows are asked for there are those of the table before, which have other values.
+    const items = this.items.filter(({ spec }) => this.#table.rows.includes(spec));
     const sorting = this.settings.cycleTableSort ?? '';
     const caption = `${voice.say('atlas.Table', { number: this.#number })}: ${this.#title(this.#number, voice)}`;
     return html`
@@ -64,9 +66,9 @@ export class CycleTables extends RowsPanel {
           ${tableNumbers.map((number) => html`<option value=${number} ?selected=${number === this.#number}>${voice.say('atlas.Table', { number })}: ${this.#title(number, voice)}</option>`)}
         </select>
         ${this.#strangers(voice)}
-        ${figuresTable(this, { caption, columns, rows: this.items, of: 'cycleTableSort', sorting, classOf: ({ spec, isOld }) => [this.isNow(this.#valuesOf(spec)) ? 'now' : '', isOld ? 'old' : ''].join(' ') }, voice)}
+        ${figuresTable(this, { caption, columns, rows: items, of: 'cycleTableSort', sorting, classOf: ({ spec, isOld }) => [this.isNow(this.#valuesOf(spec)) ? 'now' : '', isOld ? 'old' : ''].join(' ') }, voice)}
         <p class="table-out">
-          ${tableOutButtons({ said: this.said, take: (format) => this.take(format, { file: `shimmy-table-${this.#number}`, title: caption, note: this.#note(voice), columns, rows: this.items }, sorting, voice) }, voice)}
+          ${tableOutButtons({ said: this.said, take: (format) => this.take(format, { file: `shimmy-table-${this.#number}`, title: caption, note: this.#note(voice), columns, rows: items }, sorting, voice) }, voice)}
         </p>
         <p class="theory">${this.#note(voice)}</p>
       </div>`;
