@@ -443,8 +443,7 @@ fn cycles_know_of_the_jump_where_friction_turns() {
         let trivial = cycle.multipliers.iter().map(|value| (value - 1.0).norm()).fold(f64::INFINITY, f64::min);
         assert!(trivial < 1e-6, "{name}: {trivial:e}");
         if name.starts_with("sticks") {
-            // Set apart from the trivial one, which has an error of 6e-9 itself.
-            assert!(cycle.multipliers[2].norm() < 1e-8, "{name}: what the stop takes away");
+            assert!(cycle.multipliers[2].norm() < 1e-12, "{name}: what the stop takes away");
         }
         let start: Vec<f64> = cycle.orbit.states.iter().map(|column| column[0]).collect();
         for (got, expected) in cycle.multipliers.iter().zip(by_differences(&run, &start, cycle.period)) {

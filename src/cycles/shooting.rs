@@ -26,6 +26,8 @@ const SHORTEST: f64 = 1e-2;
 const CLOSE: f64 = 1e-7;
 /// What is this much smaller than its guess has gone to rest.
 const REST: f64 = 1e-3;
+/// Multipliers as far as this from the trivial one are told from it by the matrix itself.
+const APART: f64 = 0.01;
 /// A second multiplier as near to 1 as this: the orbit has others beside it, and is no limit cycle.
 const BESIDE: f64 = 1e-7;
 
@@ -192,10 +194,19 @@ pub(super) fn multipliers(around: &Square, leaving: &[f64]) -> Result<(f64, Vec<
     let scale = 2.0 / dot(&normal, &normal);
     let mirror = Square::of(n, &|i, j| f64::from(u8::from(i == j)) - scale * normal[i] * normal[j]);
     let turned = mirror.times(around).times(&mirror);
+    let trivial = turned.at(0, 0);
     let mut others = eigenvalues(&matrix(n - 1, &|i, j| turned.at(i + 1, j + 1)))?;
+    let away = |value: &Complex<f64>| (value - trivial).norm();
+    // The cycle misses itself by an error, and with it what is left of the matrix: where no other is beside the first, the
+    // whole of it has them without that.
+    if others.iter().all(|value| away(value) > APART) {
+        others = eigenvalues(&matrix(n, &|i, j| around.at(i, j)))?;
+        let first = (0..n).fold(0, |best, i| if away(&others[i]) < away(&others[best]) { i } else { best });
+        others.remove(first);
+    }
     // They come by falling real part, and of a pair the positive one first; the sizes of a pair are the same.
     sort_few(&mut others, |a, b| a.norm_sqr() > b.norm_sqr());
-    Ok((turned.at(0, 0), others))
+    Ok((trivial, others))
 }
 
 #[cfg(test)]
