@@ -3,13 +3,14 @@ import { tell } from '../command.js';
 import { veil } from '../present/veil.js';
 import { mannerOf } from '../stage/manner.js';
 import { drawDeformationPortrait } from '../view/deformation-portrait.js';
-import { firstLook, turnedByDrag, turnedByKey } from '../view/look.js';
+import { firstLook } from '../view/look.js';
 import { drawOrbit } from '../view/orbit.js';
 import { drawPhasePortrait } from '../view/phase-portrait.js';
 import { roundStep } from '../view/scale.js';
 import { drawSpectrum, wordsOfPeak } from '../view/spectrum.js';
 import { destination } from './destination.js';
 import { PlotLens } from './plot-lens.js';
+import { Turning } from './turning.js';
 
 /**
  * @typedef {import('../engine/engine.js').Outlook} Outlook
@@ -29,8 +30,11 @@ const harmonicsShown = 5.5;
 export class PhaseLens extends PlotLens {
   static properties = { ...PlotLens.properties, time: { attribute: false } };
 
-  /** How the orbit is looked at while a hand turns it. @type {Look | null} */ #turning = null;
-  /** @type {{ x: number, y: number } | null} */ #grip = null;
+  #turning = new Turning(
+    () => this.#keptLook,
+    (degrees) => tell(this, 'view', { of: 'phase', shows: `orbit,${degrees}` }),
+    () => this.canvas?.redraw(),
+  );
 
   constructor() {
     super();
@@ -65,8 +69,8 @@ export class PhaseLens extends PlotLens {
   plot(voice) {
     if (this.view !== 'orbit') return super.plot(voice);
     return html`<div class="turntable" tabindex="0" role="application" aria-label=${voice.say('phase.turn')} title=${voice.say('phase.turn')}
-      @pointerdown=${this.#grab} @pointermove=${this.#drag} @pointerup=${this.#release} @pointercancel=${this.#release}
-      @keydown=${this.#key}>${super.plot(voice)}</div>`;
+      @pointerdown=${this.#turning.grab} @pointermove=${this.#turning.drag} @pointerup=${this.#turning.release} @pointercancel=${this.#turning.release}
+      @keydown=${this.#turning.key}>${super.plot(voice)}</div>`;
   }
 
   /** @type {PlotLens['paintScene']} */
@@ -87,7 +91,7 @@ export class PhaseLens extends PlotLens {
       ghosts: this.ghostsOf(scene, voice),
       veiled: this.isVeiled,
     };
-    if (this.view === 'orbit') drawOrbit(context, size, { ...motion, look: this.#look }, theme, voice);
+    if (this.view === 'orbit') drawOrbit(context, size, { ...motion, look: this.#turning.look }, theme, voice);
     else if (this.view === 'deformation') drawDeformationPortrait(context, size, motion, theme, voice);
     else drawPhasePortrait(context, size, motion, theme, voice);
   }
@@ -100,46 +104,10 @@ export class PhaseLens extends PlotLens {
     drawSpectrum(context, size, { spectrum, limits, isLogarithmic: this.view === 'spectrum-log' }, theme, voice);
   }
 
-  /** @returns {Look} */
-  get #look() {
-    if (this.#turning) return this.#turning;
+  /** As the state has it. @returns {Look} */
+  get #keptLook() {
     const [, yaw, pitch] = this.shows.split(',').map(Number);
     return Number.isFinite(yaw) && Number.isFinite(pitch) ? { yaw: yaw / degrees, pitch: pitch / degrees } : firstLook;
-  }
-
-  /** Keeps the look in the state, in whole degrees. @param {Look} look */
-  #keep({ yaw, pitch }) {
-    this.#turning = null;
-    tell(this, 'view', { of: 'phase', shows: `orbit,${Math.round(yaw * degrees)},${Math.round(pitch * degrees)}` });
-  }
-
-  /** @param {PointerEvent} event */
-  #grab(event) {
-    if (event.button !== 0) return;
-    this.#grip = { x: event.clientX, y: event.clientY };
-    /** @type {HTMLElement} */ (event.currentTarget).setPointerCapture(event.pointerId);
-  }
-
-  /** @param {PointerEvent} event */
-  #drag(event) {
-    if (!this.#grip) return;
-    this.#turning = turnedByDrag(this.#look, event.clientX - this.#grip.x, event.clientY - this.#grip.y);
-    this.#grip = { x: event.clientX, y: event.clientY };
-    this.canvas?.redraw();
-  }
-
-  #release() {
-    this.#grip = null;
-    if (this.#turning) this.#keep(this.#turning);
-  }
-
-  /** @param {KeyboardEvent} event */
-  #key(event) {
-    const turned = turnedByKey(this.#look, event.key, event.shiftKey);
-    if (!turned) return;
-    event.preventDefault();
-    event.stopPropagation();
-    this.#keep(turned);
   }
 }
 

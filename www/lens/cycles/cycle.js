@@ -2,8 +2,8 @@ import { html, nothing } from 'lit';
 import { tell } from '../../command.js';
 import { symbolOf } from '../../controls/symbol.js';
 import '../../view/canvas.js';
-import { turnedByDrag, turnedByKey } from '../../view/look.js';
 import { drawMultipliers } from '../../view/multipliers.js';
+import { Turning } from '../turning.js';
 import { OrbitPicture } from './orbit-picture.js';
 import { CyclePanel } from './panel.js';
 import { amplitudeOf, kindOf, multiplierInWords, multipliersOf, nearnessInWords } from './say.js';
@@ -11,11 +11,9 @@ import { lookOf, orbitOf, orbitViews } from './settings.js';
 
 /**
  * @typedef {import('../../run/cycle-looks.js').LimitCycle} LimitCycle
- * @typedef {import('../../view/look.js').Look} Look
  * @typedef {import('../../words/voice.js').Voice} Voice
  */
 
-const degrees = 180 / Math.PI;
 /** The run is on the cycle when it goes to one as wide as it, to this share. */
 const same = 0.02;
 const symbols = /** @type {const} */ ({ torsionAngle: 'ψ', torsionRate: 'ψ̇', lateralDeformation: 'y' });
@@ -25,8 +23,11 @@ const symbols = /** @type {const} */ ({ torsionAngle: 'ψ', torsionRate: 'ψ̇',
  * becomes of an aside in one turn. Commands: `view` with how the orbit is drawn.
  */
 export class Cycle extends CyclePanel {
-  /** How the orbit is looked at while a hand turns it. @type {Look | null} */ #turning = null;
-  /** @type {{ x: number, y: number } | null} */ #grip = null;
+  #turning = new Turning(
+    () => lookOf(this.settings.cycleOrbit ?? ''),
+    (degrees) => tell(this, 'view', { of: 'cycleOrbit', shows: `space,${degrees}` }),
+    () => { if (this.scene && this.theme) this.draw(this.scene, this.theme); },
+  );
   #picture = new OrbitPicture();
 
   get #orbit() {
@@ -48,7 +49,7 @@ export class Cycle extends CyclePanel {
       <div class="cycle">
         <div class="cycle-picture">
           ${name === 'space' ? html`<div class="turntable" tabindex="0" role="application" aria-label=${voice.say('phase.turn')} title=${voice.say('phase.turn')}
-            @pointerdown=${this.#grab} @pointermove=${this.#drag} @pointerup=${this.#release} @pointercancel=${this.#release} @keydown=${this.#key}>${canvas}</div>` : canvas}
+            @pointerdown=${this.#turning.grab} @pointermove=${this.#turning.drag} @pointerup=${this.#turning.release} @pointercancel=${this.#turning.release} @keydown=${this.#turning.key}>${canvas}</div>` : canvas}
           <select class="framed orbit-view" aria-label=${voice.say('cycle.drawn')} .value=${name}
             @change=${(/** @type {Event} */ event) => tell(this, 'view', { of: 'cycleOrbit', shows: /** @type {HTMLSelectElement} */ (event.target).value })}>
             ${orbitViews.map((one) => html`<option value=${one} ?selected=${one === name}>${voice.say(`cycle.orbit.${one}`)}</option>`)}
@@ -125,7 +126,7 @@ export class Cycle extends CyclePanel {
   #paintOrbit = (context, size) => {
     const { voice, theme, scene, isVeiled } = this;
     if (!voice || !theme || !scene) return;
-    this.#picture.paint(context, size, { scene, cycle: isVeiled ? null : this.cycle, name: this.#orbit.name, look: this.#look, veiled: isVeiled }, theme, voice);
+    this.#picture.paint(context, size, { scene, cycle: isVeiled ? null : this.cycle, name: this.#orbit.name, look: this.#turning.look, veiled: isVeiled }, theme, voice);
   };
 
   /** @type {import('../../view/canvas.js').Paint} */
@@ -134,46 +135,6 @@ export class Cycle extends CyclePanel {
     if (!voice || !theme) return;
     drawMultipliers(context, size, { ...multipliersOf((isVeiled ? null : this.cycle)?.multipliers ?? []), veiled: isVeiled }, theme, voice);
   };
-
-  /** @returns {Look} */
-  get #look() {
-    return this.#turning ?? lookOf(this.settings.cycleOrbit ?? '');
-  }
-
-  /** @param {Look} look */
-  #keep({ yaw, pitch }) {
-    this.#turning = null;
-    tell(this, 'view', { of: 'cycleOrbit', shows: `space,${Math.round(yaw * degrees)},${Math.round(pitch * degrees)}` });
-  }
-
-  /** @param {PointerEvent} event */
-  #grab(event) {
-    if (event.button !== 0) return;
-    this.#grip = { x: event.clientX, y: event.clientY };
-    /** @type {HTMLElement} */ (event.currentTarget).setPointerCapture(event.pointerId);
-  }
-
-  /** @param {PointerEvent} event */
-  #drag(event) {
-    if (!this.#grip) return;
-    this.#turning = turnedByDrag(this.#look, event.clientX - this.#grip.x, event.clientY - this.#grip.y);
-    this.#grip = { x: event.clientX, y: event.clientY };
-    if (this.scene && this.theme) this.draw(this.scene, this.theme);
-  }
-
-  #release() {
-    this.#grip = null;
-    if (this.#turning) this.#keep(this.#turning);
-  }
-
-  /** @param {KeyboardEvent} event */
-  #key(event) {
-    const turned = turnedByKey(this.#look, event.key, event.shiftKey);
-    if (!turned) return;
-    event.preventDefault();
-    event.stopPropagation();
-    this.#keep(turned);
-  }
 }
 
 customElements.define('shimmy-cycle', Cycle);
