@@ -41,3 +41,8 @@ export const shown = (page) => page.evaluate(() => {
   const { time, state, fan } = /** @type {any} */ (document.querySelector('shimmy-stage')).scene;
   return { time, state: [...state], fan: fan?.length ?? null };
 });
+
+/** Waits until what the page has been told is drawn: words follow at once, the picture with the next frame. @param {Page} page */
+export const drawn = (page) => page.evaluate(() => new Promise((done) => {
+  requestAnimationFrame(() => requestAnimationFrame(() => done(undefined)));
+}));

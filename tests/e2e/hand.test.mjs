@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { untilVerdict, verdict, withPage } from './chromium.mjs';
-import { shown } from './frames.mjs';
+import { drawn, shown } from './frames.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -157,6 +157,7 @@ test('what takes the wheel out of the hand: a lost pointer, another window, anot
     await grab();
     await act();
     await untilVerdict(page, 'It shimmies');
+    await drawn(page);
     const angle = await angleOf(page);
     await page.mouse.move(middle.x - 20, middle.y - 20);
     await page.waitForTimeout(150);
