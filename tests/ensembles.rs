@@ -5,14 +5,17 @@ mod common;
 
 use common::{
     gear::{ADAPTIVE, Gear},
+    linear,
     random::Random,
 };
 use shimmy::{
     Run,
-    ensemble::{BasinsSpec, Bundle, Fate, LANES, SweepSpec},
+    cycles::{Bifurcation, BifurcationSpec, CyclePoint},
+    ensemble::{BasinsSpec, Bundle, Fate, LANES, Sweep, SweepSpec},
     integrate::Scheme,
     model::Prepared,
     run::Value,
+    stability::Variation,
 };
 
 fn number(value: f64) -> Value {
@@ -310,4 +313,117 @@ fn dry_friction_is_not_left_out() {
     // Carried on, the cycle lives with less amplitude; without friction it is that of theory.md 3.
     assert!((sweep.up().amplitude[0] / 18.057_f64.to_radians() - 1.0).abs() < 5e-5);
     assert!(sweep.up().amplitude.windows(2).all(|two| two[1] < two[0]), "{:?}", sweep.up().amplitude);
+}
+
+/// A sweep over a range, and the diagram of the same gear by continuation, which knows nothing of starts and settling.
+fn swept(parameters: &[(&str, f64)], over: (&str, f64, f64, usize), more: Vec<(&str, Value)>) -> (Sweep, Bifurcation) {
+    let (name, from, to, count) = over;
+    let own = |dotted: bool| parameters.iter().filter(move |(name, _)| name.contains('.') == dotted);
+    let moment = own(true).map(|(_, value)| ("moment".to_owned(), number(*value)));
+    let values = own(false).map(|(name, value)| ((*name).to_owned(), number(*value)));
+    let mut spec = vec![
+        ("model".to_owned(), Value::Text("torsional".into())),
+        ("parameters".to_owned(), Value::Record(values.collect())),
+        ("friction".to_owned(), Value::Record(moment.collect())),
+        ("over".to_owned(), axis("parameter", name, from, to, count)),
+    ];
+    spec.extend(more.into_iter().map(|(key, value)| (key.to_owned(), value)));
+    let sweep = SweepSpec::read(&Value::Record(spec)).unwrap().made().unwrap();
+    let diagram = BifurcationSpec::of(linear::gear(parameters), Variation::of(name, from, to)).made().unwrap();
+    (sweep, diagram)
+}
+
+/// The amplitude of the stable cycle at a value: from the nearest one of a branch, by shooting.
+fn stable_at(diagram: &Bifurcation, value: f64) -> Option<f64> {
+    let branches = diagram.cycles();
+    let stable = branches.iter().flat_map(|branch| &branch.points).filter(|point| point.unstable == 0);
+    let away = |point: &&CyclePoint| (point.value - value).abs();
+    let near = stable.min_by(|a, b| away(a).total_cmp(&away(b)))?;
+    let guess = shimmy::cycles::Guess { period: near.period, state: near.state.clone() };
+    let run = diagram.spec().run.clone().with(diagram.parameter(), value).unwrap();
+    // A gear without such a cycle is no mistake here: the guess then leads nowhere, or to another one.
+    let found = run.limit_cycle(Some(&guess)).unwrap().filter(|cycle| cycle.stable)?;
+    ((found.amplitude[0] / near.amplitude[0] - 1.0).abs() < 0.3).then(|| found.amplitude[0])
+}
+
+#[test]
+fn near_a_hopf_point_a_sweep_waits_or_says_that_it_has_not() {
+    // c = 20 is critical at 27.600 m/s (theory.md, section 2): at 27.61 a swing grows by some 0.006 a second.
+    let over = ("velocity", 27.41, 28.61, 25);
+    let (sweep, diagram) = swept(&[("dampingConstant", 20.0)], over, vec![]);
+    for (index, v) in sweep.values().into_iter().enumerate() {
+        let expected = if v < 27.6 { 0.0 } else { stable_at(&diagram, v).unwrap() };
+        for way in [sweep.up(), sweep.down()] {
+            assert_eq!(way.settled[index], 1, "v {v}");
+            let off = way.amplitude[index] - expected;
+            assert!(off.abs() <= 5e-5 * expected.max(0.01), "v {v}: {} for {expected}", way.amplitude[index]);
+        }
+    }
+    // In half a second it does not settle: what is said to have settled is right all the same.
+    let (hasty, _) = swept(&[("dampingConstant", 20.0)], over, vec![("duration", number(0.5))]);
+    let mut late = 0;
+    for (index, v) in hasty.values().into_iter().enumerate() {
+        for way in [hasty.up(), hasty.down()] {
+            assert_eq!(way.settled[index] == 0, way.kind[index] == Fate::Unsettled as u8);
+            late += usize::from(way.settled[index] == 0);
+            if way.settled[index] == 1 && way.amplitude[index] > 0.0 {
+                let expected = stable_at(&diagram, v).unwrap();
+                assert!((way.amplitude[index] / expected - 1.0).abs() < 1e-3, "v {v}: {}", way.amplitude[index]);
+            }
+        }
+    }
+    assert!(late > 20, "{late}");
+}
+
+#[test]
+fn where_friction_holds_small_swings_the_way_back_starts_large() {
+    for (friction, over) in [
+        (100.0, ("velocity", 20.0, 80.0, 13)),
+        (200.0, ("velocity", 60.0, 100.0, 5)),
+        // Here the swing is at the end where the way back arrives.
+        (100.0, ("dampingConstant", 0.0, 60.0, 13)),
+    ] {
+        let (sweep, diagram) = swept(&[("dampingConstant", 20.0), ("friction.moment", friction)], over, vec![]);
+        assert!(sweep.up().amplitude.iter().all(|amplitude| *amplitude == 0.0), "{over:?}");
+        let mut swings = 0;
+        for (index, value) in sweep.values().into_iter().enumerate() {
+            let found = sweep.down().amplitude[index];
+            assert_eq!(sweep.down().settled[index], 1);
+            match stable_at(&diagram, value) {
+                Some(expected) => {
+                    swings += 1;
+                    assert!((found / expected - 1.0).abs() < 1e-4, "{over:?} at {value}: {found} for {expected}");
+                }
+                None => assert_eq!(found, 0.0, "{over:?} at {value}"),
+            }
+        }
+        assert!(swings > 3, "{swings}");
+    }
+}
+
+#[test]
+fn the_way_back_starts_from_the_large_motion_at_the_end() {
+    // tests/bifurcation.rs, and independently there: this gear's rest is lost at 53.402 m/s, its large cycle at 36.225.
+    let leading = [("casterLength", -0.06), ("aligningMomentLimitAngle", 40_f64.to_radians())];
+    let (sweep, diagram) = swept(&leading, ("velocity", 30.0, 50.0, 11), vec![]);
+    assert!(sweep.up().amplitude.iter().all(|amplitude| *amplitude == 0.0));
+    for (index, v) in sweep.values().into_iter().enumerate() {
+        let found = sweep.down().amplitude[index];
+        if v < 36.225 {
+            assert_eq!(found, 0.0);
+        } else {
+            assert!((found / stable_at(&diagram, v).unwrap() - 1.0).abs() < 1e-4, "v {v}: {found}");
+        }
+    }
+    // A start within the unstable cycle finds nothing, and a record of one is read.
+    let small = vec![("start", record([("torsionAngle", number(0.02))]))];
+    let (small, _) = swept(&leading, ("velocity", 30.0, 50.0, 3), small);
+    assert!(small.down().amplitude.iter().all(|amplitude| *amplitude == 0.0));
+    let spec = |start: Value| {
+        let over = axis("parameter", "velocity", 30.0, 50.0, 3);
+        SweepSpec::read(&record([("model", Value::Text("torsional".into())), ("over", over), ("start", start)]))
+    };
+    let error = spec(record([("torsionangle", number(0.1))])).unwrap_err();
+    assert!(error.to_string().contains("torsionAngle"), "{error}");
+    assert!(spec(record([("torsionAngle", number(f64::NAN))])).is_err());
 }

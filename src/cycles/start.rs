@@ -32,11 +32,7 @@ impl Guess {
         let fields = Fields::of("guess", input, &["period", "state"])?;
         let period = fields.number("period", "> 0 s")?.ok_or_else(|| Error::missing("period", "a number > 0 s"))?;
         let given = fields.value("state").ok_or_else(|| Error::missing("state", "a record of states"))?;
-        let states = run.description().state;
-        let names: Vec<&'static str> = states.iter().map(|state| state.name).collect();
-        let fields = Fields::of("state", given, &names)?;
-        let value = |name: &&str| Ok(fields.number(name, "a finite number")?.unwrap_or(0.0));
-        Self { period, state: names.iter().map(value).collect::<Result<_>>()? }.checked(run).map(Some)
+        Self { period, state: Fields::state("state", given, run.description().state)? }.checked(run).map(Some)
     }
 
     /// Itself, where it makes sense for a run.

@@ -61,13 +61,11 @@ impl BasinsSpec {
 }
 
 /// Basins, as far as they have been made.
-#[derive(Clone, Debug)]
 pub struct Basins {
     followers: Followers,
     plane: Plane,
 }
 
-#[derive(Clone, Debug)]
 struct Plane {
     field: Field,
     cells: Cells,

@@ -12,7 +12,7 @@ use crate::{
     Code, Run,
     error::Result,
     model::Prepared,
-    outlook::{self, TRUSTED},
+    outlook::{self, HORIZON, Lookout, Outlook, TRUSTED},
 };
 
 /// Steps of a stretch before its amplitude is measured, and those over which it is: four swings.
@@ -75,6 +75,10 @@ pub(super) trait Errand {
     fn field(&self) -> &Field;
     /// The next one, if there is any now.
     fn next(&mut self) -> Option<Start>;
+    /// Whether a motion that has not settled in its time is worth what it takes to tell where it goes.
+    fn is_patient(&self) -> bool {
+        false
+    }
     /// The motion of this place has ended.
     fn settled(&mut self, place: usize, settled: Settled);
 }
@@ -101,11 +105,19 @@ struct Motion {
     cycle: Option<Settled>,
 }
 
+/// A motion that is followed by itself.
+struct Alone {
+    start: Start,
+    lookout: Box<dyn Lookout>,
+}
+
 /// Motions on their way.
-#[derive(Clone, Debug)]
 pub(super) struct Followers {
     bundle: Bundle,
     motions: [Option<Motion>; LANES],
+    alone: Option<Alone>,
+    /// Those that lanes have not brought to their end.
+    late: Vec<Start>,
     /// The gear that came last: of a plane of starts it is the same for all.
     ready: Option<Rc<Ready>>,
 }
@@ -113,14 +125,27 @@ pub(super) struct Followers {
 impl Followers {
     /// Without any yet.
     pub fn new() -> Self {
-        Self { bundle: Bundle::at_rest(), motions: [const { None }; LANES], ready: None }
+        let motions = [const { None }; LANES];
+        Self { bundle: Bundle::at_rest(), motions, alone: None, late: Vec::new(), ready: None }
     }
 
-    /// Takes motions while there is room, and follows all for a stretch. False where there was none.
+    /// Takes motions while there is room, and follows all for a stretch, or the one that is followed by itself. False where
+    /// there was none.
     ///
     /// # Errors
     /// As [`Run::outlook`], of motions that are followed by themselves.
     pub fn advance(&mut self, errand: &mut dyn Errand) -> Result<bool> {
+        if let Some(late) = self.late.pop() {
+            let time = errand.field().duration.min(HORIZON);
+            self.set_off_alone(errand, late, time)?;
+        }
+        if let Some(alone) = &mut self.alone {
+            if let Some(settled) = ended(alone.lookout.advance(), &alone.start.x)? {
+                errand.settled(alone.start.place, settled);
+                self.alone = None;
+            }
+            return Ok(true);
+        }
         for lane in 0..LANES {
             while self.motions[lane].is_none() {
                 let Some(start) = errand.next() else { break };
@@ -128,9 +153,9 @@ impl Followers {
                 match self.ready(&field.run, &start.values) {
                     Some(ready) => self.set_off(lane, start, ready, field.duration),
                     None => {
-                        let settled = alone(&field.run.placed(&start.values, &start.x, field.duration))?;
-                        errand.settled(start.place, settled);
-                        return Ok(true); // it took its time
+                        let time = field.duration;
+                        self.set_off_alone(errand, start, time)?;
+                        return Ok(true);
                     }
                 }
             }
@@ -145,11 +170,21 @@ impl Followers {
             let Some(going) = motion else { continue };
             let reach = [of_lane(&reach[0]), of_lane(&reach[1]), of_lane(&reach[2])];
             if let Some(settled) = going.judged(&mut self.bundle, lane, reach) {
-                errand.settled(going.place, settled);
+                if settled.fate == Fate::Unsettled && errand.is_patient() {
+                    self.late.push(Start { place: going.place, values: going.ready.values.clone(), x: settled.x });
+                } else {
+                    errand.settled(going.place, settled);
+                }
                 *motion = None;
             }
         }
         Ok(true)
+    }
+
+    fn set_off_alone(&mut self, errand: &mut dyn Errand, start: Start, time: f64) -> Result<()> {
+        let lookout = errand.field().run.placed(&start.values, &start.x, time).problem().lookout()?;
+        self.alone = Some(Alone { start, lookout });
+        Ok(())
     }
 
     /// The gear of these parameters, if lanes can take it.
@@ -218,17 +253,18 @@ impl Motion {
     }
 }
 
-/// A motion that is followed by itself.
-fn alone(run: &Run) -> Result<Settled> {
-    let width = run.initial().len();
-    let outlook = match run.outlook() {
+/// The end of a motion that is followed by itself, from a state; nothing where it goes on.
+fn ended(seen: Result<Option<Outlook>>, from: &[f64]) -> Result<Option<Settled>> {
+    let outlook = match seen {
         // It has not come to its end in as many steps as it may take, or as time can tell apart.
         Err(error) if matches!(error.code, Code::StepLimit | Code::StepTooSmall) => {
-            let amplitude = run.initial().iter().map(|x| x.abs()).collect();
-            return Ok(Settled { fate: Fate::Unsettled, amplitude, x: run.initial().to_vec() });
+            let amplitude = from.iter().map(|x| x.abs()).collect();
+            return Ok(Some(Settled { fate: Fate::Unsettled, amplitude, x: from.to_vec() }));
         }
-        outlook => outlook?,
+        seen => seen?,
     };
+    let Some(outlook) = outlook else { return Ok(None) };
+    let width = from.len();
     let fate = match outlook.verdict {
         outlook::Verdict::Shimmies => Fate::Shimmy,
         outlook::Verdict::DiesOut | outlook::Verdict::Rests => Fate::Rest,
@@ -243,5 +279,5 @@ fn alone(run: &Run) -> Result<Settled> {
     };
     let first = outlook.orbit.states.iter().map(|column| column.first().copied());
     let x = first.collect::<Option<Vec<f64>>>().unwrap_or_else(|| vec![0.0; width]);
-    Ok(Settled { fate, amplitude, x })
+    Ok(Some(Settled { fate, amplitude, x }))
 }

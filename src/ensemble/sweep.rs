@@ -9,31 +9,43 @@ use super::{
 };
 use crate::{
     error::{Code, Error, Result},
+    outlook::HORIZON,
     parameter::state_index,
     run::{Fields, Value},
 };
 
 /// Where the spec does not say where a motion starts: the first state at so many times its typical size. It is as small as
-/// a disturbance may be that shall not carry it over an unstable cycle.
+/// a disturbance may be that shall not carry it over an unstable cycle, and on the way back as large as the largest motions.
 const PUSH: f64 = 0.01;
+const LARGE: f64 = 3.0;
 
 /// A sweep: over one parameter from end to end and back, or over a plane row by row, each there and back along x.
+///
+/// On the way there a motion that has come to rest starts anew a little beside it. The way back begins with the motion in
+/// which the way there has ended; where that is rest, with a large start, and while nothing has swung anywhere yet, with a
+/// large start at each value: where friction holds small swings, or rest is stable beside a large one, only that shows it.
+/// So it does from what has left the range of the model.
+///
+/// Near a Hopf point a swing takes its time. What has not settled in its own is looked at once more, as [`crate::outlook`]
+/// does, unless that time is shorter than a look; what is still on its way then, or never repeats, is told apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepSpec {
     /// What varies: one axis, or two.
     pub field: Field,
     /// The state whose amplitude is measured.
     pub measure: usize,
+    /// The large start of the way back.
+    pub start: Vec<f64>,
 }
 
 impl SweepSpec {
-    /// Reads a record `{model, parameters, initial, over, measure, linked, duration, tile}`; `over` is an axis
+    /// Reads a record `{model, parameters, friction, initial, start, over, measure, linked, duration, tile}`; `over` is an axis
     /// `{parameter, from, to, count}`, or `{x, y}` with one in each.
     ///
     /// # Errors
     /// Anything but known keys with valid values; the error names the field.
     pub fn read(input: &Value) -> Result<Self> {
-        let fields = Fields::of("sweep", input, &Field::keys(&["over", "measure"]))?;
+        let fields = Fields::of("sweep", input, &Field::keys(&["over", "measure", "start"]))?;
         let run = Field::run(&fields)?;
         let over =
             fields.value("over").ok_or_else(|| Error::missing("over", "{parameter, from, to, count}, or {x, y}"))?;
@@ -54,23 +66,29 @@ impl SweepSpec {
         let measure = fields.text("measure")?.map_or(Ok(0), |name| {
             state_index(states, name).map_err(|error| error.of_kind(Code::UnknownName).called("measure"))
         })?;
+        let mut start = vec![0.0; states.len()];
+        start[0] = LARGE * states[0].scale;
+        if let Some(given) = fields.value("start") {
+            start = Fields::state("start", given, states)?;
+        }
         let field = Field::over(&fields, run, axes, PUSH)?;
         if field.tile.column > 0 || field.tile.columns < field.axes[0].count {
             let allowed = "whole rows: a motion is carried on from cell to cell";
             return Err(Error::new(Code::OutOfRange, "tile.columns", field.tile.columns.to_string(), allowed));
         }
-        Ok(Self { field, measure })
+        Ok(Self { field, measure, start })
     }
 
     /// The sweep before its first motion, to be made bit by bit.
     pub fn begin(self) -> Sweep {
-        let Self { field, measure } = self;
+        let Self { field, measure, start } = self;
         let (length, rows) = (field.axes[0].count, field.tile.rows);
-        let way = Way { kind: vec![UNKNOWN; length * rows], amplitude: vec![0.0; length * rows] };
-        let chains = vec![Chain { at: 0, x: field.run.initial().to_vec() }; rows];
+        let cells = length * rows;
+        let way = Way { kind: vec![UNKNOWN; cells], amplitude: vec![0.0; cells], settled: vec![0; cells] };
+        let chains = vec![Chain { at: 0, x: field.run.initial().to_vec(), swings: false }; rows];
         let ways = [way.clone(), way];
         let waiting = (0..rows).collect();
-        Sweep { followers: Followers::new(), rows: Rows { field, measure, chains, waiting, ways, made: 0 } }
+        Sweep { followers: Followers::new(), rows: Rows { field, measure, start, chains, waiting, ways, made: 0 } }
     }
 
     /// The sweep.
@@ -93,6 +111,9 @@ pub struct Way {
     pub kind: Vec<u8>,
     /// The amplitude of the measured state there: 0 at rest, 1000 where it grows without bounds.
     pub amplitude: Vec<f64>,
+    /// 1 where the motion has come to its end, and this is its amplitude; 0 where it was still on its way when its time was
+    /// over, or never repeats.
+    pub settled: Vec<u8>,
 }
 
 /// A row there and back.
@@ -102,12 +123,14 @@ struct Chain {
     at: usize,
     /// The state to go on from.
     x: Vec<f64>,
+    /// It has swung somewhere.
+    swings: bool,
 }
 
-#[derive(Clone, Debug)]
 struct Rows {
     field: Field,
     measure: usize,
+    start: Vec<f64>,
     chains: Vec<Chain>,
     /// Rows whose motion is ready to go on.
     waiting: VecDeque<usize>,
@@ -116,7 +139,6 @@ struct Rows {
 }
 
 /// A sweep, as far as it has been made.
-#[derive(Clone, Debug)]
 pub struct Sweep {
     followers: Followers,
     rows: Rows,
@@ -150,18 +172,30 @@ impl Errand for Rows {
         Some(Start { place: row, values, x: self.chains[row].x.clone() })
     }
 
+    fn is_patient(&self) -> bool {
+        self.field.duration >= HORIZON
+    }
+
     fn settled(&mut self, row: usize, settled: Settled) {
         let length = self.field.axes[0].count;
         let (way, cell) = self.place(self.chains[row].at);
         let place = row * length + cell;
         self.ways[way].kind[place] = settled.fate as u8;
         self.ways[way].amplitude[place] = settled.amplitude[self.measure];
+        self.ways[way].settled[place] = u8::from(settled.fate != Fate::Unsettled);
         self.made += 1;
         let chain = &mut self.chains[row];
         chain.at += 1;
         // From rest, and from beyond, it starts anew.
         let carried = !matches!(settled.fate, Fate::Rest | Fate::Divergence) && settled.x.iter().all(|x| x.is_finite());
-        chain.x = if carried { settled.x } else { self.field.run.initial().to_vec() };
+        let rests = settled.fate == Fate::Rest;
+        chain.swings |= !rests;
+        let largely = chain.at == length || (chain.at > length && !(rests && chain.swings));
+        chain.x = match (carried, largely) {
+            (true, _) => settled.x,
+            (_, true) => self.start.clone(),
+            _ => self.field.run.initial().to_vec(),
+        };
         if chain.at < 2 * length {
             self.waiting.push_back(row);
         }

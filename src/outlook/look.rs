@@ -34,53 +34,93 @@ pub(crate) struct Look<S, const N: usize> {
     pub end: End,
 }
 
-/// Follows the motion until it repeats, is gone, or the horizon is reached; where it is still on its way then, the way
-/// is cut short ([`approach`]).
+/// A look ahead under way: the motion is followed until it repeats, is gone, or the horizon is reached; where it is still on
+/// its way then, the way is cut short ([`approach`]).
+pub(crate) struct Ahead<S, const N: usize> {
+    watch: Watch<S, N>,
+    cycles: Vec<Cycle<N>>,
+    scales: &'static [StateVariable],
+    horizon: f64,
+    most_steps: u64,
+    /// The size at the start, and the fastest rate so far.
+    start: f64,
+    fastest: f64,
+    end: Option<End>,
+}
+
+/// The same in one go.
 pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
     motion: Integrator<S, N>,
-    scales: &[StateVariable],
+    scales: &'static [StateVariable],
     horizon: f64,
     most_steps: u64,
 ) -> Result<Look<S, N>> {
-    let horizon = if motion.system().sticks() { PATIENCE * horizon } else { horizon };
-    let mut watch = Watch::new(motion);
-    let mut cycles: Vec<Cycle<N>> = Vec::new();
-    let start = size(scales, watch.motion.state());
-    let mut fastest = size(scales, watch.motion.derivative());
-    let mut end = None;
-    while watch.motion.time() < horizon && end.is_none() && watch.motion.stats().steps < most_steps {
-        let time = watch.motion.time();
-        match watch.step(horizon) {
-            Ok(cycle) => cycles.extend(cycle),
-            Err(Failure::Diverged) => {
-                end = Some(End::Grows);
-                break;
+    let mut ahead = Ahead::of(motion, scales, horizon, most_steps);
+    while !ahead.advance(usize::MAX)? {}
+    ahead.seen()
+}
+
+impl<S: Gear<N>, const N: usize> Ahead<S, N> {
+    /// From where the motion is.
+    pub fn of(motion: Integrator<S, N>, scales: &'static [StateVariable], horizon: f64, most_steps: u64) -> Self {
+        let horizon = if motion.system().sticks() { PATIENCE * horizon } else { horizon };
+        let (start, fastest) = (size(scales, motion.state()), size(scales, motion.derivative()));
+        let watch = Watch::new(motion);
+        Self { watch, cycles: Vec::new(), scales, horizon, most_steps, start, fastest, end: None }
+    }
+
+    /// Follows the motion for so many steps more; says whether there is no more to follow.
+    pub fn advance(&mut self, steps: usize) -> Result<bool> {
+        for _ in 0..steps {
+            let time = self.watch.motion.time();
+            if time >= self.horizon || self.end.is_some() || self.watch.motion.stats().steps >= self.most_steps {
+                return Ok(true);
             }
-            Err(failure) => return Err(failed(failure, time)),
+            match self.watch.step(self.horizon) {
+                Ok(cycle) => self.cycles.extend(cycle),
+                Err(Failure::Diverged) => {
+                    self.end = Some(End::Grows);
+                    return Ok(true);
+                }
+                Err(failure) => return Err(failed(failure, time)),
+            }
+            self.end = self.judged();
         }
-        let (size, speed) = (size(scales, watch.motion.state()), size(scales, watch.motion.derivative()));
-        fastest = fastest.max(speed);
-        end = if size < GONE * start && !held(&watch.motion) {
+        Ok(false)
+    }
+
+    /// The end that the last step shows, if it does.
+    #[inline]
+    fn judged(&mut self) -> Option<End> {
+        let motion = &self.watch.motion;
+        let (size, speed) = (size(self.scales, motion.state()), size(self.scales, motion.derivative()));
+        self.fastest = self.fastest.max(speed);
+        if size < GONE * self.start && !held(motion) {
             Some(End::Dies)
-        } else if size > 1e6 * start.max(1.0) {
+        } else if size > 1e6 * self.start.max(1.0) {
             Some(End::Grows)
-        } else if speed < STILL * fastest.max(size / horizon) {
+        } else if speed < STILL * self.fastest.max(size / self.horizon) {
             Some(End::Stops)
         } else {
-            repeats(&cycles).then_some(End::Repeats)
-        };
-    }
-    let mut destination = cycles.last().copied();
-    let end = match (end, destination) {
-        (Some(end), _) => end,
-        (None, Some(last)) if watch.motion.time() < last.start + 3.0 * last.period => {
-            let (end, cycle) = approach::shortcut(&mut watch, &cycles, most_steps)?;
-            destination = Some(cycle);
-            end
+            repeats(&self.cycles).then_some(End::Repeats)
         }
-        (None, _) => without_cycles(&watch.motion, scales, start, fastest),
-    };
-    Ok(Look { motion: watch.motion, cycles, turns: watch.turns, destination, end })
+    }
+
+    /// What was seen.
+    pub fn seen(self) -> Result<Look<S, N>> {
+        let Self { mut watch, cycles, scales, most_steps, start, fastest, end, .. } = self;
+        let mut destination = cycles.last().copied();
+        let end = match (end, destination) {
+            (Some(end), _) => end,
+            (None, Some(last)) if watch.motion.time() < last.start + 3.0 * last.period => {
+                let (end, cycle) = approach::shortcut(&mut watch, &cycles, most_steps)?;
+                destination = Some(cycle);
+                end
+            }
+            (None, _) => without_cycles(&watch.motion, scales, start, fastest),
+        };
+        Ok(Look { motion: watch.motion, cycles, turns: watch.turns, destination, end })
+    }
 }
 
 /// Whether friction holds the first state away from the middle.

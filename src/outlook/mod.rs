@@ -5,10 +5,13 @@ mod look;
 mod watch;
 
 use self::look::Look;
-pub(crate) use self::{look::look_ahead, watch::End};
+pub(crate) use self::{
+    look::{Ahead, look_ahead},
+    watch::End,
+};
 use crate::{
     error::{Error, Result},
-    integrate::failed,
+    integrate::{Integrator, failed},
     live::{Columns, Envelope},
     model::Gear,
     run::Posed,
@@ -96,15 +99,92 @@ pub struct Outlook {
     pub orbit: Columns,
 }
 
-/// The outlook of a run.
-pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Outlook> {
-    let horizon = posed.run.horizon();
-    let x = posed.initial();
-    let motion = posed.motion(horizon / 20.0)?;
-    if motion.derivative().iter().all(|rate| *rate == 0.0) {
-        return Ok(resting(x, posed.system.sticks()));
+/// An outlook under way: what takes long is done bit by bit.
+pub trait Lookout {
+    /// Looks a little further, for a fraction of a millisecond; gives the outlook once it is there.
+    ///
+    /// # Errors
+    /// As [`crate::Run::outlook`].
+    fn advance(&mut self) -> Result<Option<Outlook>>;
+}
+
+/// Steps of a motion at a time.
+const STEPS: usize = 500;
+
+/// What a run's lookout does now.
+enum Stage<S, const N: usize> {
+    Resting(Outlook),
+    Ahead(Box<Ahead<S, N>>),
+    /// It repeats: whether it does so without the gap, too.
+    Gapless(Box<Look<S, N>>, Box<Ahead<S, N>>),
+    Over,
+}
+
+/// The lookout of a run.
+pub(crate) struct Looking<S: 'static, const N: usize> {
+    posed: Posed<S, N>,
+    stage: Stage<S, N>,
+}
+
+impl<S: Gear<N>, const N: usize> Looking<S, N> {
+    /// At the start of a run.
+    pub fn of(posed: Posed<S, N>) -> Result<Self> {
+        let motion = posed.motion(posed.run.horizon() / 20.0)?;
+        let stage = if motion.derivative().iter().all(|rate| *rate == 0.0) {
+            Stage::Resting(resting(posed.initial(), posed.system.sticks()))
+        } else {
+            Stage::Ahead(Self::ahead(&posed, motion))
+        };
+        Ok(Self { posed, stage })
     }
-    let mut look = look_ahead(motion, posed.tables.description.state, horizon, posed.run.max_steps())?;
+
+    fn ahead(posed: &Posed<S, N>, motion: Integrator<S, N>) -> Box<Ahead<S, N>> {
+        let Posed { run, tables, .. } = posed;
+        Box::new(Ahead::of(motion, tables.description.state, run.horizon(), run.max_steps()))
+    }
+
+    /// The motion without its gap, where there is one and that matters.
+    fn gapless(&self, look: &Look<S, N>) -> Result<Option<Box<Ahead<S, N>>>> {
+        let repeats =
+            matches!((&look.end, &look.destination), (End::Repeats, Some(cycle)) if cycle.amplitude[0] <= TRUSTED);
+        let Some(system) = self.posed.system.without_freeplay().filter(|_| repeats) else { return Ok(None) };
+        let mut motion = self.posed.motion(self.posed.run.horizon() / 20.0)?;
+        motion.replace(system.into(), 0.0, *look.motion.state()).map_err(|failure| failed(failure, 0.0))?;
+        Ok(Some(Self::ahead(&self.posed, motion)))
+    }
+}
+
+impl<S: Gear<N>, const N: usize> Lookout for Looking<S, N> {
+    fn advance(&mut self) -> Result<Option<Outlook>> {
+        match std::mem::replace(&mut self.stage, Stage::Over) {
+            Stage::Resting(outlook) => return Ok(Some(outlook)),
+            Stage::Ahead(mut ahead) => {
+                if !ahead.advance(STEPS)? {
+                    self.stage = Stage::Ahead(ahead);
+                    return Ok(None);
+                }
+                let look = Box::new(ahead.seen()?);
+                match self.gapless(&look)? {
+                    Some(ahead) => self.stage = Stage::Gapless(look, ahead),
+                    None => return told(&self.posed, *look, false).map(Some),
+                }
+            }
+            Stage::Gapless(look, mut ahead) => {
+                if ahead.advance(STEPS)? {
+                    let dies = matches!(ahead.seen()?.end, End::Dies | End::Stops);
+                    return told(&self.posed, *look, dies).map(Some);
+                }
+                self.stage = Stage::Gapless(look, ahead);
+            }
+            Stage::Over => {}
+        }
+        Ok(None)
+    }
+}
+
+/// What a look shows; `rattles`: where it repeats, without the gap it would not.
+fn told<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, mut look: Look<S, N>, rattles: bool) -> Result<Outlook> {
+    let x = posed.initial();
     let (mut amplitude, frequency) = match &look.destination {
         Some(cycle) if !matches!(look.end, End::Stops) => (cycle.amplitude, Some(1.0 / cycle.period)),
         _ => (std::array::from_fn(|i| look.motion.state()[i].abs()), None),
@@ -114,7 +194,7 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Outl
         End::Grows => Verdict::Grows,
         End::Stops => Verdict::Rests,
         End::Repeats if amplitude[0] > TRUSTED => Verdict::Grows,
-        End::Repeats if lives_on_freeplay(posed, &look)? => Verdict::Rattles,
+        End::Repeats if rattles => Verdict::Rattles,
         End::Repeats => Verdict::Shimmies,
     };
     let (present_amplitude, present_frequency, trend) = present(&look, x[0]);
@@ -155,15 +235,6 @@ fn resting<const N: usize>(x: [f64; N], sticks: bool) -> Outlook {
         envelope: Envelope { time: vec![0.0], low: vec![x[0]], high: vec![x[0]] },
         orbit: Columns { time: Vec::new(), states: vec![Vec::new(); N] },
     }
-}
-
-/// Takes the gap away, and looks whether the motion dies.
-fn lives_on_freeplay<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, look: &Look<S, N>) -> Result<bool> {
-    let Some(system) = posed.system.without_freeplay() else { return Ok(false) };
-    let mut motion = posed.motion(posed.run.horizon() / 20.0)?;
-    motion.replace(system.into(), 0.0, *look.motion.state()).map_err(|failure| failed(failure, 0.0))?;
-    let without = look_ahead(motion, posed.tables.description.state, posed.run.horizon(), posed.run.max_steps())?;
-    Ok(matches!(without.end, End::Dies | End::Stops))
 }
 
 /// Amplitude, frequency and trend of the first cycle.

@@ -4,7 +4,10 @@ use super::{
     Value,
     parse::{number, numbers, record, text, wrong_type},
 };
-use crate::error::{Code, Error, Result};
+use crate::{
+    error::{Code, Error, Result},
+    parameter::StateVariable,
+};
 
 /// A record all of whose keys are known. A missing field and an absent value are the same.
 pub(crate) struct Fields<'a>(&'a [(String, Value)]);
@@ -55,5 +58,15 @@ impl<'a> Fields<'a> {
             Some(Value::Bool(truth)) => Ok(Some(*truth)),
             Some(other) => Err(wrong_type(key, other, "true or false")),
         }
+    }
+
+    /// A state: the record `input`, called `place` in errors, by the names of a model's states; one that is not named is 0.
+    ///
+    /// # Errors
+    /// Anything but finite numbers by these names.
+    pub fn state(place: &str, input: &Value, states: &[StateVariable]) -> Result<Vec<f64>> {
+        let names: Vec<&'static str> = states.iter().map(|state| state.name).collect();
+        let fields = Fields::of(place, input, &names)?;
+        names.iter().map(|name| Ok(fields.number(name, "a finite number")?.unwrap_or(0.0))).collect()
     }
 }

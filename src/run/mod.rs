@@ -245,7 +245,12 @@ impl Run {
     /// # Errors
     /// As [`Run::simulate`].
     pub fn outlook(&self) -> Result<Outlook> {
-        self.problem().outlook()
+        let mut lookout = self.problem().lookout()?;
+        loop {
+            if let Some(outlook) = lookout.advance()? {
+                return Ok(outlook);
+            }
+        }
     }
 
     /// The run as a live motion.

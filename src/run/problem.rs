@@ -8,7 +8,7 @@ use crate::{
     integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, solve},
     live::{Motion, Simulator},
     model::{Gear, Model, Tables},
-    outlook::{self, Outlook},
+    outlook::{Looking, Lookout},
     section::{self, Section, SectionSpec},
     stability::eigenvalues,
 };
@@ -20,11 +20,11 @@ pub trait Problem {
     /// # Errors
     /// As [`Run::simulate`].
     fn solve(&self) -> Result<Trajectory>;
-    /// What becomes of the motion.
+    /// What becomes of the motion, bit by bit.
     ///
     /// # Errors
     /// As [`Run::outlook`].
-    fn outlook(&self) -> Result<Outlook>;
+    fn lookout(&self) -> Result<Box<dyn Lookout>>;
     /// The live motion.
     ///
     /// # Errors
@@ -113,8 +113,8 @@ impl<S: Gear<N>, const N: usize> Problem for Posed<S, N> {
         solve(self.motion(f64::INFINITY)?, self.run.duration(), &self.run.output, self.run.max_steps)
     }
 
-    fn outlook(&self) -> Result<Outlook> {
-        outlook::of(self)
+    fn lookout(&self) -> Result<Box<dyn Lookout>> {
+        Ok(Box::new(Looking::of(Posed::new(self.run.clone(), self.tables))?))
     }
 
     fn live(&self) -> Result<Simulator> {

@@ -411,7 +411,10 @@ fn ending(ending: &Ending) -> JsValue {
 
 /// What there is of a sweep.
 pub(super) fn sweep(sweep: &Sweep) -> JsValue {
-    let way = |way: &Way| Record::new().bytes("kind", &way.kind).series("amplitude", &way.amplitude);
+    let way = |way: &Way| {
+        let record = Record::new().bytes("kind", &way.kind).series("amplitude", &way.amplitude);
+        record.bytes("settled", &way.settled)
+    };
     Record::new()
         .series("value", &sweep.values())
         .record("up", way(sweep.up()))

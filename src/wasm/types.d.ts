@@ -377,6 +377,8 @@ export interface SweepSpec {
   friction?: Run['friction'];
   /** where a motion starts; a hundredth of the first state's typical size from rest */
   initial?: Record<string, number> | null;
+  /** where the way back begins when the way there has ended at rest; three times the first state's typical size */
+  start?: Record<string, number> | null;
   /** of one parameter the values from end to end, of a plane the centres of cells */
   over: (Axis & { count: number }) | { x: Axis & { count: number }; y: Axis & { count: number } };
   /** the state whose amplitude is measured; the first */
@@ -387,8 +389,11 @@ export interface SweepSpec {
   /** whole rows */
   tile?: MapSpec['tile'];
 }
-/** One way of a sweep, cell by cell and row by row: 255 and 0 where it has not come to yet. An amplitude is 0 at rest, 1000 without bounds. */
-export interface SweepWay { kind: Uint8Array; amplitude: Float64Array }
+/**
+ * One way of a sweep, cell by cell and row by row: 255 and 0 where it has not come to yet. An amplitude is 0 at rest, 1000
+ * without bounds. `settled`: 0 also where the motion was still on its way when its time was over, or never repeats.
+ */
+export interface SweepWay { kind: Uint8Array; amplitude: Float64Array; settled: Uint8Array }
 /** What a motion becomes as a parameter goes there (`up`) and back (`down`): where the two differ, there are two motions. */
 export interface Sweep {
   /** the parameter's values along x */
