@@ -423,3 +423,52 @@ fn what_makes_no_sense_is_refused() {
     let extreme = BifurcationSpec::of(gear(&[("momentOfInertia", 1e-310)]), Variation::of("velocity", 1.0, 2.0));
     assert_eq!(refused(extreme).code, Code::Diverged);
 }
+
+/// Both parts of a branch whose fold is outside of the range are there, once each, and the unstable one is a cycle by another
+/// method than the one that found it, with different ends on either side.
+#[test]
+fn an_unstable_part_is_found_without_its_fold() {
+    let friction = |moment: f64| gear(&[("dampingConstant", 20.0), ("friction.moment", moment)]);
+    let trailing = [
+        ("velocity", 102.0),
+        ("casterLength", -0.2),
+        ("aligningMomentDerivative", 4.8),
+        ("sideForceLimitAngle", 0.047),
+        ("aligningMomentLimitAngle", 0.29),
+    ];
+    for (run, parameter, from, to) in [
+        (friction(200.0), "velocity", 60.0, 100.0),
+        (friction(100.0), "dampingConstant", 30.0, 10.0),
+        (gear(&LEADING), "velocity", 40.0, 50.0),
+        (gear(&trailing), "dampingConstant", 21.0, 30.0),
+    ] {
+        let diagram = of(&run, parameter, from, to);
+        check(&run, parameter, &diagram, 5);
+        let branches = diagram.cycles();
+        let [small, large] = &branches[..] else { panic!("{parameter}: {} branches", branches.len()) };
+        for branch in [small, large] {
+            assert_eq!(branch.ends, [BranchEnd::Range; 2], "{parameter}");
+        }
+        assert!(small.points.iter().all(|point| point.unstable == 1));
+        assert!(large.points.iter().all(|point| point.unstable == 0));
+        for point in small.points.iter().step_by(11) {
+            let run = at(&run, parameter, point);
+            let from = |factor: f64| {
+                let states = run.description().state.iter().zip(&point.state);
+                states.fold(run.clone(), |run, (state, x)| run.starting(state.name, factor * x).unwrap())
+            };
+            let round = from(1.0).by("dop853").unwrap().within(1e-12).unwrap().lasting(point.period).unwrap();
+            let end = round.simulate().unwrap();
+            for ((column, x), amplitude) in end.states.iter().zip(&point.state).zip(&point.amplitude) {
+                let missed = (column.last().unwrap() - x).abs() / amplitude;
+                assert!(missed < 1e-7, "{parameter} {}: misses itself by {missed:e}", point.value);
+            }
+            let (inside, outside) = (from(0.99).outlook().unwrap(), from(1.01).outlook().unwrap());
+            assert!(matches!(inside.verdict, Verdict::DiesOut | Verdict::Rests), "{inside:?}");
+            let beyond = |other: &&CyclePoint| (other.value - point.value).abs();
+            let near = large.points.iter().min_by(|a, b| beyond(a).total_cmp(&beyond(b))).unwrap();
+            let stable = run.limit_cycle(Some(&guess(near))).unwrap().unwrap().amplitude[0];
+            assert!((outside.amplitude[0] / stable - 1.0).abs() < 1e-4, "{} {stable}", outside.amplitude[0]);
+        }
+    }
+}

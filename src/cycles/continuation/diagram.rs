@@ -13,7 +13,7 @@ use super::{
     walk::Walk,
 };
 use crate::{
-    cycles::{shooting, vector::vector},
+    cycles::{Guess, vector::vector},
     error::{Code, Error, Result, shown},
     parameter::StateVariable,
     stability::Crossing,
@@ -63,6 +63,8 @@ enum Task {
     Rest,
     Hopf(usize),
     Guess,
+    /// At which value.
+    Predictions(usize),
     /// Which value, and which start there.
     Probe(usize, usize),
 }
@@ -87,8 +89,8 @@ struct Birth {
 ///
 /// # Limits
 /// Rest is the state that Newton's method finds from 0, whatever else the gear may rest at; other branches that begin at a
-/// branch point or a period doubling are not followed. A branch that no Hopf point of the range begins, and no start of a
-/// simulation at one of the values looked at leads to, is missed. With dry friction rest and its Hopf points are those of a
+/// branch point or a period doubling are not followed. A branch that no Hopf point of the range begins, no describing function
+/// predicts and no simulation leads to at one of the values looked at, is missed. With dry friction rest and its Hopf points are those of a
 /// wheel that turns freely: one that friction holds sticks, and no branch begins there.
 ///
 /// # Example
@@ -115,6 +117,8 @@ pub struct Bifurcation {
     points: Vec<SpecialPoint>,
     tasks: Vec<Task>,
     done: usize,
+    /// Unstable cycles that are predicted at a value, and not looked for yet.
+    predicted: Vec<(Guess, f64)>,
     trip: Option<Trip>,
 }
 
@@ -149,6 +153,7 @@ impl BifurcationSpec {
             points: Vec::new(),
             tasks: vec![Task::Rest],
             done: 0,
+            predicted: Vec::new(),
             trip: None,
         })
     }
@@ -182,6 +187,10 @@ impl Bifurcation {
             }
             return Ok(());
         }
+        if let Some((guess, value)) = self.predicted.pop() {
+            self.seek(&guess, value);
+            return Ok(());
+        }
         let Some(task) = self.tasks.get(self.done).copied() else { return Ok(()) };
         match task {
             Task::Rest => {
@@ -196,13 +205,10 @@ impl Bifurcation {
             Task::Hopf(birth) => self.set_out_from_hopf(birth),
             Task::Guess => {
                 if let Some((guess, value)) = self.spec.cycle.clone() {
-                    let x = self.scaled(&guess.state);
-                    self.vary(value, guess.period);
-                    if let Ok(Some(found)) = shooting::periodic(self.family.flow(), &x, guess.period) {
-                        self.set_out(found, value);
-                    }
+                    self.seek(&guess, value);
                 }
             }
+            Task::Predictions(place) => self.predict(place)?,
             Task::Probe(place, start) => self.probe(place, start)?,
         }
         self.done += 1;
@@ -211,7 +217,7 @@ impl Bifurcation {
 
     /// Nothing is left to do.
     pub fn done(&self) -> bool {
-        self.done == self.tasks.len() && self.trip.is_none()
+        self.done == self.tasks.len() && self.trip.is_none() && self.predicted.is_empty()
     }
 
     /// The part that is made, 0 … 1, as far as that can be said.

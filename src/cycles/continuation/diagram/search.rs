@@ -10,8 +10,8 @@ use crate::{
             stop::Stop,
             walk::{Limits, Walk},
         },
-        settled,
-        shooting::Periodic,
+        Guess, settled,
+        shooting::{self, Periodic},
         vector::{axis, vector},
     },
     error::Result,
@@ -53,6 +53,7 @@ impl Bifurcation {
         if self.spec.cycle.is_some() {
             self.tasks.push(Task::Guess);
         }
+        self.tasks.extend((0..self.spec.probes).map(Task::Predictions));
         let probes = (0..self.spec.probes).flat_map(|place| (0..=LADDER.len()).map(move |start| (place, start)));
         self.tasks.extend(probes.map(|(place, start)| Task::Probe(place, start)));
         Ok(())
@@ -100,10 +101,35 @@ impl Bifurcation {
         Limits { points: self.spec.points, step: self.spec.step, tolerance: self.spec.tolerance }
     }
 
+    /// One of the values at which cycles are looked for.
+    fn place(&self, place: usize) -> f64 {
+        self.line.from() + self.line.width() * ((place as f64 + 0.5) / self.spec.probes as f64)
+    }
+
+    /// Predicts the unstable cycles at a value, to which no simulation leads.
+    pub(super) fn predict(&mut self, place: usize) -> Result<()> {
+        let value = self.place(place);
+        let run = self.line.run_at(value)?;
+        // A model without describing functions has none to tell of.
+        for cycle in run.describing_function().unwrap_or_default().iter().filter(|cycle| !cycle.stable) {
+            self.predicted.push((cycle.guess(&run)?, value));
+        }
+        Ok(())
+    }
+
+    /// Begins the branch through the cycle that a guess leads to, if it does.
+    pub(super) fn seek(&mut self, guess: &Guess, value: f64) {
+        let x = self.scaled(&guess.state);
+        if self.vary(value, guess.period)
+            && let Ok(Some(found)) = shooting::periodic(self.family.flow(), &x, guess.period)
+        {
+            self.set_out(found, value);
+        }
+    }
+
     /// Looks from a start at a value for a cycle that no branch has.
     pub(super) fn probe(&mut self, place: usize, start: usize) -> Result<()> {
-        let part = (place as f64 + 0.5) / self.spec.probes as f64;
-        let value = self.line.from() + self.line.width() * part;
+        let value = self.place(place);
         let rest = self.line.rest(value)?;
         // The smallest start is for what grows.
         let size = match start.checked_sub(1) {
