@@ -213,6 +213,27 @@ fn a_guess_leads_to_the_same_cycle() {
 
 /// Any gear: a long simulation settles on what was found, and on nothing that was not.
 #[test]
+fn a_guess_of_some_rounds_is_taken_for_one() {
+    for parameters in [
+        &[("velocity", 80.0), ("dampingConstant", 30.0)][..],
+        &[("velocity", 50.0), ("dampingConstant", 100.0), ("freeplayAngle", 0.0175)],
+        &[("velocity", 80.0), ("dampingConstant", 20.0), ("friction.moment", 80.0)],
+    ] {
+        let run = gear(parameters);
+        let one = run.limit_cycle(None).unwrap().unwrap();
+        for rounds in [2.0, 3.0, 4.0, 6.0] {
+            let state = first(&one).iter().map(|x| 1.001 * x).collect();
+            let found = run.limit_cycle(Some(&Guess { period: 0.9997 * rounds * one.period, state })).unwrap().unwrap();
+            assert!((found.period / one.period - 1.0).abs() < 1e-7, "{rounds}: {} {}", found.period, one.period);
+            assert!(found.symmetric && found.stable);
+            for (found, one) in found.multipliers.iter().zip(&one.multipliers) {
+                assert!((found - one).norm() < 1e-5, "{rounds}: {found} {one}");
+            }
+        }
+    }
+}
+
+#[test]
 fn random_gears_settle_on_the_cycle_found() {
     let mut random = Random::seeded(20);
     let (mut found_some, mut with_gap) = (0, 0);

@@ -81,7 +81,7 @@ pub(crate) fn limit_cycle<S: Gear<N>, const N: usize>(
     let scaled = |x: &[f64]| vector(x.len(), &|i| x[i] / scales[i].scale);
     if let Some(guess) = guess {
         let mut carrier = Carrier::of(posed, guess.period)?;
-        if let Some(found) = shooting::periodic(&mut carrier, &scaled(&guess.state), guess.period)? {
+        if let Some(found) = shooting::guessed(&mut carrier, &scaled(&guess.state), guess.period)? {
             return told(&mut carrier, found);
         }
     }

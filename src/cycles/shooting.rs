@@ -24,6 +24,10 @@ const LONGEST: f64 = 0.5;
 const SHORTEST: f64 = 1e-2;
 /// A motion that misses its start by more is not back.
 const CLOSE: f64 = 1e-7;
+/// A motion that is this near to its start, or to the mirror image, is there.
+const BACK: f64 = 1e-6;
+/// A guess may be of so many rounds, and of their products.
+const ROUNDS: [f64; 4] = [2.0, 3.0, 5.0, 7.0];
 /// What is this much smaller than its guess has gone to rest.
 const REST: f64 = 1e-3;
 /// Multipliers as far as this from the trivial one are told from it by the matrix itself.
@@ -72,11 +76,32 @@ pub(super) fn periodic(flow: &mut dyn Flow, x: &[f64], period: f64) -> Result<Op
     whole(flow, x, period, odd)
 }
 
+/// As [`periodic`], where the guess may be of some rounds: a motion that is back earlier has its least period.
+///
+/// # Errors
+/// As [`periodic`].
+pub(super) fn guessed(flow: &mut dyn Flow, x: &[f64], period: f64) -> Result<Option<Periodic>> {
+    let Some(mut found) = periodic(flow, x, period)? else { return Ok(None) };
+    let mut rounds = ROUNDS.iter();
+    while let Some(times) = rounds.next() {
+        let part = found.period / times;
+        let Some((early, _)) = flow.carry(&found.x, part, false) else { continue };
+        if gap(&early, &found.x, 1.0) < BACK {
+            // As finely as one round asks for.
+            flow.pace(part, 1.0);
+            let Some(shorter) = periodic(flow, &found.x, part)? else { break };
+            found = shorter;
+            rounds = ROUNDS.iter();
+        }
+    }
+    Ok(Some(found))
+}
+
 /// As [`periodic`], over the whole period.
 pub(super) fn whole(flow: &mut dyn Flow, x: &[f64], period: f64, odd: bool) -> Result<Option<Periodic>> {
     let Some(mut found) = solution(flow, x, period, 1.0)? else { return Ok(None) };
     if odd && let Some((middle, _)) = flow.carry(&found.x, 0.5 * found.period, false) {
-        found.symmetric = gap(&middle, &found.x, -1.0) < 1e-6;
+        found.symmetric = gap(&middle, &found.x, -1.0) < BACK;
     }
     Ok(Some(found))
 }
@@ -312,6 +337,24 @@ mod tests {
         let expected = (0.4 * action).exp();
         assert!((found.multipliers[0] / expected - 1.0).norm() < 1e-7, "{:?} {expected}", found.multipliers);
         assert!((found.multipliers[1] - 1.0).norm() < 1e-7);
+    }
+
+    #[test]
+    fn a_guess_of_some_rounds_finds_one() {
+        // Around both wells, which is symmetric, and around one.
+        for energy in [0.3, -0.15] {
+            let system = TwoWells { energy, pull: 0.4 };
+            let (period, action) = system.exact();
+            let amplitude = (1.0 + (1.0 + 4.0 * energy).sqrt()).sqrt();
+            for rounds in [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 15.0] {
+                let mut flow = carrier(system.clone(), rounds * period);
+                let found = guessed(&mut flow, &[1.001 * amplitude, 0.002], 1.0005 * rounds * period).unwrap().unwrap();
+                assert!((found.period / period - 1.0).abs() < 1e-8, "{rounds}: {} {period}", found.period);
+                assert_eq!(found.symmetric, energy > 0.0, "{rounds}");
+                let expected = (-0.4 * action).exp();
+                assert!((found.multipliers[1] - expected).norm() < 1e-7, "{rounds}: {:?}", found.multipliers);
+            }
+        }
     }
 
     #[test]

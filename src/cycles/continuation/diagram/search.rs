@@ -3,6 +3,7 @@
 use super::{Bifurcation, Birth, Origin, Task, Trip};
 use crate::{
     cycles::{
+        Guess,
         continuation::{
             CyclePoint, PointKind, SpecialPoint,
             hopf::{AtRest, Hopf},
@@ -10,7 +11,7 @@ use crate::{
             stop::Stop,
             walk::{Limits, Walk},
         },
-        Guess, settled,
+        settled,
         shooting::{self, Periodic},
         vector::{axis, vector},
     },
@@ -121,7 +122,7 @@ impl Bifurcation {
     pub(super) fn seek(&mut self, guess: &Guess, value: f64) {
         let x = self.scaled(&guess.state);
         if self.vary(value, guess.period)
-            && let Ok(Some(found)) = shooting::periodic(self.family.flow(), &x, guess.period)
+            && let Ok(Some(found)) = shooting::guessed(self.family.flow(), &x, guess.period)
         {
             self.set_out(found, value);
         }
