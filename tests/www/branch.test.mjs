@@ -4,11 +4,12 @@ import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
 import { Quantity } from '../../www/controls/quantity.js';
 import { BesideWork } from '../../www/lens/cycles/beside-work.js';
-import { along, cycleAt, heightsOf, highest, nearest, nearestTo, slopeOfSmall, turnsOf } from '../../www/lens/cycles/branches.js';
-import { pointsOf, restOf, stopsOf } from '../../www/lens/cycles/diagram.js';
+import { along, cycleAt, heightsOf, highest, nearest, nearestTo, roundValue, slopeOfSmall, turnsOf } from '../../www/lens/cycles/branches.js';
+import { criticalityInWords, pointsOf, restOf, stopsOf } from '../../www/lens/cycles/diagram.js';
 import { branchOf, readBranch, writeBranch } from '../../www/lens/cycles/settings.js';
 import { readLink } from '../../www/link/read.js';
 import { drawBifurcation } from '../../www/view/bifurcation.js';
+import { drawSpecialPoints } from '../../www/view/special-points.js';
 import { voiceOf } from '../../www/words/voice.js';
 import { opened, table } from './opened-session.mjs';
 import { recordingContext, written } from './plot-recorder.mjs';
@@ -136,7 +137,7 @@ function drawn(others = {}) {
   const places = drawBifurcation(recorder.context, { width: 560, height: 320 }, {
     quantity: velocity, from: 10, to: 80, height: 'torsionAngle', limit: 0.4,
     rest: { across: speeds.equilibria.velocity, up: speeds.equilibria.velocity.map(() => 0), stable: speeds.equilibria.stable, turns: turnsOf(speeds, null) },
-    branches: [{ across: branch.velocity, up: branch.amplitude, stable: branch.stable, turns: turnsOf(speeds, 0) }], points: [{ kind: 'hopf', across: speeds.points[0].velocity, up: 0, text: 'Hopf 27.6 m/s' }],
+    branches: [{ across: branch.velocity, up: branch.amplitude, stable: branch.stable, turns: turnsOf(speeds, 0) }], points: [{ kind: 'hopf', across: speeds.points[0].velocity, up: 0, texts: ['Hopf 27.6 m/s, supercritical', 'Hopf 27.6 m/s'] }],
     law: null, sweep: [], now: { value: 50, motion: 0.1, cycle: { up: 0.3, stable: true } }, cursor: null, isOld: false, message: '', veiled: false, ...others,
   }, theme, english);
   assert.ok(places);
@@ -162,8 +163,8 @@ test('the gear rides on it: a ring on its cycle, a dot at its swing; names, law 
   const rings = named('arc').map(({ args: [x, y] }) => [x, y]);
   assert.ok(rings.some(([x, y]) => Math.abs(x - places.x(50)) < 1e-9 && Math.abs(y - places.y(0.3)) < 1e-9));
   assert.ok(rings.some(([x, y]) => Math.abs(x - places.x(50)) < 1e-9 && Math.abs(y - places.y(0.1)) < 1e-9));
-  assert.ok(written(named('fillText')).includes('Hopf 27.6 m/s'));
-  const more = drawn({ law: { slope: 0.005, text: 'law' }, sweep: [{ value: 40, way: 'up', up: 0.2 }, { value: 40, way: 'down', up: 0.2 }], message: 'nothing here' });
+  assert.ok(written(named('fillText')).includes('Hopf 27.6 m/s, supercritical'));
+  const more = drawn({ law: { slope: 0.005, text: 'law' }, sweep: [{ value: 40, way: 'up', up: 0.2, isSettled: true }, { value: 40, way: 'down', up: 0.2, isSettled: true }], message: 'nothing here' });
   for (const word of ['law', '▸ sweep up', '◂ sweep down', 'nothing here']) assert.ok(written(more.named('fillText')).includes(word), word);
   const away = drawn({ now: { value: 200, motion: 0.1, cycle: null } });
   assert.equal(away.named('arc').length, 0);
@@ -206,15 +207,66 @@ test('the gear is put on a cycle, which one undo takes back with its value and i
 
 test('points are named; a wheel that friction holds is at rest whatever linear theory says, and that is said', () => {
   const shown = { height: /** @type {const} */ ('torsionAngle'), quantity: velocity, isRubbed: false };
-  assert.deepEqual(pointsOf(speeds, shown, english).map(({ kind, text, up }) => [kind, text, up]), [['hopf', 'Hopf 27.6 m/s', 0]]);
-  assert.equal(pointsOf(speeds, { ...shown, isRubbed: true }, english)[0].text, 'Hopf 27.6 m/s, without friction');
-  assert.equal(pointsOf(speeds, { ...shown, isRubbed: true }, voiceOf('tr'))[0].text, 'Hopf 27,6 m/s, sürtünmesiz');
+  assert.deepEqual(pointsOf(speeds, shown, english).map(({ kind, texts, up }) => [kind, texts, up]), [['hopf', ['Hopf 27.6 m/s, supercritical', 'Hopf 27.6 m/s'], 0]]);
+  assert.equal(pointsOf(speeds, { ...shown, isRubbed: true }, english)[0].texts[0], 'Hopf 27.6 m/s, without friction');
+  assert.equal(pointsOf(speeds, { ...shown, isRubbed: true }, voiceOf('tr'))[0].texts[0], 'Hopf 27,6 m/s, sürtünmesiz');
   assert.deepEqual(restOf(speeds, 'torsionAngle', 0).stable, speeds.equilibria.stable);
   assert.ok(Array.from(restOf(speeds, 'torsionAngle', 10).stable).every((one) => one === 1));
   const overFriction = engine.bifurcation({ model: 'torsional', parameters: { velocity: 80, dampingConstant: 20 }, parameter: 'friction.moment', from: 0, to: 100, probes: 1 });
   const { across, stable } = restOf(overFriction, 'torsionAngle', 0);
   assert.deepEqual([stable[0], stable[across.length - 1]], [0, 1]);
   assert.equal(nearestTo(speeds.cycles[0], 'velocity', 27.6) > 0, true, 'never where there is no cycle yet');
+});
+
+test('of a Hopf point is said which way its cycles go, and by which test', () => {
+  // The smooth laws of the default gear; the branch beyond Hopf is stable, which is what supercritical says.
+  const [said, ...more] = criticalityInWords(speeds, velocity, english);
+  assert.match(said, /^Hopf 27\.6 m\/s: supercritical, .* \(first Lyapunov coefficient −2\d\.\d s⁻¹ rad⁻²\)\.$/);
+  assert.equal(more.length, 0);
+  assert.equal(speeds.cycles[0].stable[1], 1);
+  // With a gap the law has a kink at once: the branch tells it, of both ends of the rattle alike.
+  const gapped = engine.bifurcation({ model: 'torsional', parameters: { dampingConstant: 100, freeplayAngle: Math.PI / 180 }, parameter: 'velocity', from: 1, to: 120, probes: 0 });
+  assert.match(criticalityInWords(gapped, velocity, english).join(), /^Hopf 3\.2 m\/s, Hopf 73\.0 m\/s: supercritical, .* \(by the branch’s direction/);
+  const points = speeds.points.map((point) => ({ ...point, criticality: /** @type {const} */ ('subcritical') }));
+  assert.match(criticalityInWords({ ...speeds, points }, velocity, voiceOf('tr')).join(), /kritik altı.*Lyapunov/);
+  assert.deepEqual(pointsOf({ ...speeds, points }, { height: 'torsionAngle', quantity: velocity, isRubbed: false }, english)[0].texts, ['Hopf 27.6 m/s, subcritical', 'Hopf 27.6 m/s']);
+});
+
+test('a point is named in fewer words where there is no room for all, and never on another point', () => {
+  const mark = (/** @type {number} */ x, /** @type {number} */ y) => ({ kind: /** @type {const} */ ('fold'), x, y, texts: ['a name of many words, far too long', 'brief'] });
+  const names = (/** @type {import('../../www/view/axes.js').Box} */ frame, /** @type {ReturnType<typeof mark>[]} */ marks, /** @type {{ x: number, y: number }[]} */ curves = []) => {
+    const recorder = recordingContext();
+    drawSpecialPoints(recorder.context, frame, marks, curves, theme);
+    return recorder.named('fillText');
+  };
+  assert.deepEqual(written(names({ left: 0, right: 500, top: 0, bottom: 300 }, [mark(250, 150)])), ['a name of many words, far too long']);
+  assert.deepEqual(written(names({ left: 0, right: 90, top: 0, bottom: 300 }, [mark(45, 150)])), ['brief']);
+  const [first] = names({ left: 0, right: 500, top: 0, bottom: 300 }, [mark(100, 150), mark(130, 138)]);
+  const [, y] = first.args;
+  assert.ok(Math.abs(y - 138) > 0.6 * theme.size, 'the name of the first stands clear of the second');
+  // A branch that rises from the mark to the right.
+  const [name] = names({ left: 0, right: 900, top: 0, bottom: 300 }, [mark(450, 290)], Array.from({ length: 60 }, (_, i) => ({ x: 450 + 6 * i, y: 290 - 2 * i })));
+  assert.ok(name.args[1] < 450, 'it stands where no curve runs');
+});
+
+test('beyond what the model is trusted for the plane is shaded and said, and branches are fainter', () => {
+  const words = /29°/;
+  assert.ok(!written(drawn().named('fillText')).some((text) => words.test(text)));
+  const wide = { across: [20, 30, 40, 50], up: [0.2, 0.4, 0.6, 0.7], stable: [1, 1, 1, 1], turns: [], isBeyond: (/** @type {number} */ i) => i >= 2 };
+  const { named, places } = drawn({ limit: 0.8, branches: [wide], rest: null, sweep: [], now: { value: 200, motion: null, cycle: null } });
+  assert.ok(written(named('fillText')).some((text) => words.test(text)));
+  const [shade] = named('fillRect');
+  near(shade.args[1] + shade.args[3], places.y(0.5), 1e-9);
+  const starts = named('moveTo').filter(({ style }) => style.strokeStyle === theme.stable && style.lineWidth > 2);
+  const alphaAt = (/** @type {number} */ value) => starts.find(({ args: [x] }) => Math.abs(x - places.x(value)) < 1e-9)?.style.globalAlpha ?? NaN;
+  assert.ok(alphaAt(30) < alphaAt(20));
+  assert.ok(written(drawn({ height: 'torsionRate', limit: 100, branches: [wide] }).named('fillText')).some((text) => words.test(text)), 'where another height stands upward the key says it');
+});
+
+test('a value is set from a branch with no more digits than one reads', () => {
+  assert.equal(roundValue(velocity, 41.583219876), 41.5832);
+  const gap = new Quantity(/** @type {typeof table.parameters[number]} */ (table.parameters.find(({ name }) => name === 'freeplayAngle')));
+  near((roundValue(gap, 0.0123456789) * 180) / Math.PI, 0.707355, 1e-12);
 });
 
 test('a simulated sweep lies on the stable branch, and goes another way back where that folds', () => {
@@ -224,4 +276,12 @@ test('a simulated sweep lies on the stable branch, and goes another way back whe
   for (const way of ['up', 'down']) near(stops.find((one) => one.value === 40 && one.way === way)?.up ?? NaN, (18.057 * Math.PI) / 180, 1e-4);
   const none = stopsOf({ ...sweep, up: { ...sweep.up, kind: sweep.up.kind.map(() => 255) } });
   assert.ok(none.every(({ way }) => way === 'down'), 'what is not known yet is not drawn');
+  assert.ok(stops.every(({ isSettled }) => isSettled));
+  const moving = stopsOf({ ...sweep, up: { ...sweep.up, .../** @type {object} */ ({ settled: Uint8Array.from([0, 1, 1, 1, 1]) }) } });
+  assert.deepEqual(moving.filter(({ isSettled }) => !isSettled).map(({ value, way }) => [value, way]), [[20, 'up']]);
+  const filled = (/** @type {boolean} */ isSettled) => {
+    const { named } = drawn({ sweep: [{ value: 60, way: 'up', up: 0.2, isSettled }] });
+    return [named('fill').filter(({ style }) => style.fillStyle === theme.force).length, written(named('fillText')).some((text) => /not settled/.test(text))];
+  };
+  assert.deepEqual([filled(true), filled(false)], [[1, false], [0, true]], 'hollow where it was still on its way');
 });

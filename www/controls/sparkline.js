@@ -9,10 +9,11 @@
  */
 
 import { html, nothing, svg } from 'lit';
+import { trusted } from '../run/trusted.js';
 import { decimalsFor } from '../words/number.js';
 
 /** What the full height is, in rad. */
-export const fullHeight = 0.5;
+export const fullHeight = trusted;
 /** The curve's own width and height; the page stretches it to the track. */
 const [width, height] = [1000, 100];
 

@@ -1,3 +1,4 @@
+import { trusted } from '../run/trusted.js';
 import { mannerOf } from './manner.js';
 
 /**
@@ -6,8 +7,6 @@ import { mannerOf } from './manner.js';
  */
 
 const degrees = 180 / Math.PI;
-/** The engine's own limit of what it calls a swing of this model, in rad: the 29° of the words. */
-const trusted = 0.5;
 /** Less is straight ahead in every number shown, in rad. */
 const least = 0.005 / degrees;
 

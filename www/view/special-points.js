@@ -6,11 +6,14 @@ import { textFont, writeEdged } from './text.js';
  * @typedef {import('../pkg/shimmy.js').SpecialPoint['kind']} Kind
  * @typedef {import('./axes.js').Box} Box
  * @typedef {import('../style/theme.js').Theme} Theme
- * @typedef {{ kind: Kind, x: number, y: number, text: string }} Mark in px
+ * @typedef {{ kind: Kind, x: number, y: number, texts: readonly string[] }} Mark in px; `texts`: in fewer and fewer words
  */
 
 /** Half of a mark, in px. */
 const reach = 5;
+
+/** Rather than words are left out a name lies on so many points of a curve. */
+const dear = 4;
 
 /** The corners of a mark, as shares of its reach. @type {Readonly<Record<Kind, readonly (readonly [number, number])[]>>} */
 const shapes = {
@@ -26,13 +29,16 @@ const shapes = {
  * @param {CanvasRenderingContext2D} context
  * @param {Box} frame
  * @param {readonly Mark[]} marks
+ * @param {readonly { x: number, y: number }[]} curves points of what names had better not lie on, in px
  * @param {Theme} theme
  */
-export function drawSpecialPoints(context, frame, marks, theme) {
+export function drawSpecialPoints(context, frame, marks, curves, theme) {
   const size = reach * Math.sqrt(theme.line);
   /** @type {Box[]} */
   const taken = [];
-  for (const { kind, x, y, text } of marks) {
+  // A name never lies on a mark, its own or another's.
+  const feet = marks.map(({ x, y }) => ({ left: x - size, right: x + size, top: y - size, bottom: y + size }));
+  for (const { kind, x, y, texts } of marks) {
     context.beginPath();
     shapes[kind].forEach(([across, down], i) => context[i ? 'lineTo' : 'moveTo'](x + across * size, y + down * size));
     context.closePath();
@@ -42,23 +48,28 @@ export function drawSpecialPoints(context, frame, marks, theme) {
     context.stroke();
     context.fill();
     context.font = textFont(theme, 0.95, 600);
-    const width = context.measureText(text).width;
-    const box = placeFor({ x, y }, { width, height: 1.2 * theme.size }, size, frame, taken);
-    if (!box) continue;
+    const places = texts.flatMap((text, spared) => placesFor({ x, y }, { width: context.measureText(text).width, height: 1.2 * theme.size }, size, frame, [...taken, ...feet])
+      .map((box) => ({ text, box, cost: spared * dear + curves.filter((point) => isWithin(point, box)).length })));
+    const best = places.reduce((/** @type {typeof places[number] | null} */ least, one) => (!least || one.cost < least.cost ? one : least), null);
+    if (!best) continue;
+    const { text, box } = best;
     taken.push(box);
+    context.fillStyle = theme.ink;
     context.textAlign = 'left';
     context.textBaseline = 'middle';
     writeEdged(context, text, box.left, (box.top + box.bottom) / 2, theme);
   }
 }
 
-/** Beside the mark where nothing else stands: right above, left above, higher, below. @param {{ x: number, y: number }} at @param {{ width: number, height: number }} size @param {number} gap @param {Box} frame @param {Box[]} taken @returns {Box | null} */
-function placeFor({ x, y }, { width, height }, gap, frame, taken) {
-  const tries = [0, 1, 2].flatMap((row) => [[x + gap, y - 2 * gap - height * (row + 0.5)], [x - gap - width, y - 2 * gap - height * (row + 0.5)]]);
-  for (const [left, top] of [...tries, [x + gap, y + gap], [x - gap - width, y + gap]]) {
-    const box = { left, right: left + width, top, bottom: top + height };
-    const isInside = box.left >= frame.left - 2 * gap && box.right <= frame.right + 2 * gap && box.top >= frame.top && box.bottom <= frame.bottom;
-    if (isInside && taken.every((other) => box.right < other.left || other.right < box.left || box.bottom < other.top || other.bottom < box.top)) return box;
-  }
-  return null;
+/** Beside the mark where nothing else stands: right, left, right above, left above, higher, below. @param {{ x: number, y: number }} at @param {{ width: number, height: number }} size @param {number} gap @param {Box} frame @param {Box[]} taken @returns {Box[]} */
+function placesFor({ x, y }, { width, height }, gap, frame, taken) {
+  const sides = (/** @type {number} */ top) => [[x + gap, top], [x - gap - width, top]];
+  const beside = [[x + 2 * gap, y - height / 2], [x - 2 * gap - width, y - height / 2]];
+  return [...[0, 1, 2].flatMap((row) => sides(y - 2 * gap - height * (row + 0.5))), ...beside, ...sides(y + gap)]
+    .map(([left, top]) => ({ left, right: left + width, top, bottom: top + height }))
+    .filter((box) => box.left >= frame.left - 2 * gap && box.right <= frame.right + 2 * gap && box.top >= frame.top && box.bottom <= frame.bottom
+      && taken.every((other) => box.right < other.left || other.right < box.left || box.bottom < other.top || other.bottom < box.top));
 }
+
+/** @param {{ x: number, y: number }} point @param {Box} box */
+const isWithin = ({ x, y }, { left, right, top, bottom }) => x > left && x < right && y > top && y < bottom;

@@ -1,7 +1,7 @@
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import { tell } from '../../command.js';
 import { runJob } from '../../engine/workers.js';
-import { stateAt } from '../../run/cycle-looks.js';
+import { guessOf, stateAt } from '../../run/cycle-looks.js';
 import '../../view/canvas.js';
 import { drawBifurcation } from '../../view/bifurcation.js';
 import { drawMultipliers } from '../../view/multipliers.js';
@@ -10,8 +10,8 @@ import { roundLimit } from '../../view/scale.js';
 import { parameterOption } from '../stability/option.js';
 import { plainSymbol, rangeInWords } from '../stability/say.js';
 import { BesideWork } from './beside-work.js';
-import { along, cycleAt, heights, heightsOf, highest, nearest, nearestTo, slopeOfSmall, turnsOf } from './branches.js';
-import { pointsOf, restOf, stopsOf } from './diagram.js';
+import { along, cycleAt, heights, heightsOf, highest, nearest, nearestTo, roundValue, slopeOfSmall } from './branches.js';
+import { criticalityInWords, lineOf, pointsOf, restOf, stopsOf } from './diagram.js';
 import { OrbitPicture } from './orbit-picture.js';
 import { CyclePanel } from './panel.js';
 import { amplitudeOf, digitsOf, kindOf, multiplierInWords, multipliersOf } from './say.js';
@@ -137,17 +137,21 @@ export class Branch extends CyclePanel {
           <shimmy-canvas .label=${this.#label(quantity, voice)} .paint=${this.#paint}></shimmy-canvas>
         </div>
         <p class="only-heard" role="status">${isVeiled ? '' : this.heard}</p>
-        ${isVeiled ? this.veil(voice) : this.#facts(cycle, voice)}
+        ${isVeiled ? this.veil(voice) : this.#facts(cycle, quantity, voice)}
         <shimmy-canvas class="branch-orbit" .label=${voice.say('branch.orbit')} .paint=${this.#paintOrbit}></shimmy-canvas>
         <shimmy-canvas class="multipliers" .label=${voice.say(isVeiled ? 'cycle.multipliers.veiled' : 'cycle.multipliers.name', { list: multipliersOf(cycle?.multipliers ?? []).others.map((one) => multiplierInWords(one, voice)).join('; ') || '–' })} .paint=${this.#paintMultipliers}></shimmy-canvas>
       </div>`;
   }
 
-  /** @param {import('../../run/cycle-looks.js').LimitCycle | null} cycle @param {Voice} voice */
-  #facts(cycle, voice) {
-    if (!cycle) return html`<p class="branch-facts">${voice.say('cycle.none')}</p>`;
+  /** @param {import('../../run/cycle-looks.js').LimitCycle | null} cycle @param {import('../../controls/quantity.js').Quantity} quantity @param {Voice} voice */
+  #facts(cycle, quantity, voice) {
+    const { result: diagram, isOld } = this.#work;
+    const hopfs = diagram && !isOld ? criticalityInWords(diagram, quantity, voice) : [];
+    const reads = hopfs.length === 0 ? nothing : html`<p class="branch-reads">${hopfs.join(' ')}</p>`;
+    if (!cycle) return html`<div class="branch-facts"><p>${voice.say('cycle.none')}</p>${reads}</div>`;
     return html`
       <div class="branch-facts">
+        ${reads}
         <p><b class=${cycle.stable ? '' : 'is-unstable'}>${kindOf(cycle, voice)}</b> ${amplitudeOf('torsionAngle', cycle.amplitude.torsionAngle, voice)} · ${voice.number(cycle.frequency ?? NaN, 2)} Hz</p>
         <span class="branch-starts">
           <button type="button" class="framed" @click=${() => this.#start(1)}>${voice.say('branch.start.on')}</button>
@@ -171,7 +175,7 @@ export class Branch extends CyclePanel {
     const across = rangeInWords(quantity, range, voice);
     if (this.isVeiled) return voice.say('branch.name.veiled', { across });
     const { result: diagram } = this.#work;
-    const points = diagram ? this.#pointsOf(diagram, voice).map(({ text }) => text).join('; ') : '';
+    const points = diagram ? this.#pointsOf(diagram, voice).map(({ texts }) => texts[0]).join('; ') : '';
     return voice.say('branch.name', { across, count: diagram?.cycles.length ?? 0, points: points || voice.say('branch.points.none') });
   }
 
@@ -192,7 +196,7 @@ export class Branch extends CyclePanel {
     const up = cycle && (height === 'frequency' ? cycle.frequency : cycle.amplitude[height]);
     const motion = !isVeiled && height === 'torsionAngle' ? scene.outlook.present.amplitude : null;
     if (!isVeiled) this.#hold(Math.max(diagram ? highest(diagram, height) : 0, cycle && cycle.amplitude.torsionAngle < 0.8 ? up ?? 0 : 0), height, scene.scales);
-    const lines = diagram?.cycles.map((branch, i) => ({ across: branch[diagram.parameter], up: heightsOf(branch, height), stable: branch.stable, turns: turnsOf(diagram, i) })) ?? [];
+    const lines = diagram?.cycles.map((_, i) => lineOf(diagram, i, height)) ?? [];
     const slope = diagram && height === 'torsionAngle' ? slopeOfSmall(diagram) : null;
     const cursor = this.#cursor && lines[this.#cursor.branch] ? { across: lines[this.#cursor.branch].across[this.#cursor.index], up: lines[this.#cursor.branch].up[this.#cursor.index] } : null;
     this.#places = drawBifurcation(context, size, {
@@ -247,14 +251,17 @@ export class Branch extends CyclePanel {
     if (place && place.distance <= reach) this.#go(place);
   }
 
-  /** Puts the gear on the cycle at a place. @param {Place} place */
+  /** Puts the gear on the cycle at a place; its value in no more digits than one reads. @param {Place} place */
   #go({ branch, index }) {
     const { result: diagram } = this.#work;
     if (!diagram) return;
     const on = diagram.cycles[branch];
-    const guess = cycleAt(on, index);
+    const values = { [diagram.parameter]: roundValue(this.quantity(diagram.parameter), on[diagram.parameter][index]) };
+    const followed = cycleAt(on, index);
+    // Of the round value the cycle is a little another: an unstable one would be left at once.
+    const guess = guessOf(this.askCycles((cycles) => cycles.near(followed, values))) ?? followed;
     this.watch?.expect(guess);
-    tell(this, 'motion', { values: { [diagram.parameter]: on[diagram.parameter][index] }, state: guess.state });
+    tell(this, 'motion', { values, state: guess.state });
   }
 
   /** Arrow keys walk along a branch or to another one, Enter goes there. @param {KeyboardEvent} event */

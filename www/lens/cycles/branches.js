@@ -55,6 +55,12 @@ export function cycleAt(branch, index) {
   return { period: branch.period[index], state: Object.fromEntries(Object.entries(branch.state).map(([name, series]) => [name, series[index]])) };
 }
 
+/** Digits of a value that a hand picks from a branch. */
+const digits = 6;
+
+/** A value as it is set from a branch: in the unit it is shown in it has few digits. @param {import('../../controls/quantity.js').Quantity | undefined} quantity @param {number} value in SI */
+export const roundValue = (quantity, value) => (quantity ? quantity.toSI(Number(quantity.toShown(value).toPrecision(digits))) : value);
+
 /**
  * How small cycles over the gap grow with it, as amplitude over half of the gap: the slope of a branch where it comes out of
  * nothing. Null for branches that do not.

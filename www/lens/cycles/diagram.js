@@ -10,6 +10,8 @@
  * @typedef {import('./branches.js').Height} Height
  */
 
+import { trusted } from '../../run/trusted.js';
+import { decimalsFor } from '../../words/number.js';
 import { heightsOf, turnsOf } from './branches.js';
 
 /** Dry friction, as the engine names it. */
@@ -34,7 +36,19 @@ export function restOf(diagram, height, friction) {
 }
 
 /**
- * Special points with their names.
+ * A branch as it is drawn. Cycles wider than the model is trusted for are beyond it.
+ * @param {Bifurcation} diagram
+ * @param {number} at which of its branches
+ * @param {Height} height
+ * @returns {import('../../view/bifurcation.js').Line}
+ */
+export function lineOf(diagram, at, height) {
+  const branch = diagram.cycles[at];
+  return { across: branch[diagram.parameter], up: heightsOf(branch, height), stable: branch.stable, turns: turnsOf(diagram, at), isBeyond: (i) => branch.amplitude[i] > trusted };
+}
+
+/**
+ * Special points with their names, in fewer words behind: which way cycles come out of a Hopf point goes first.
  * @param {Bifurcation} diagram
  * @param {{ height: Height, quantity: Quantity, isRubbed: boolean }} shown `isRubbed`: there is friction, of which those of rest do not know
  * @param {Voice} voice
@@ -43,14 +57,36 @@ export function pointsOf({ parameter, points, cycles }, { height, quantity, isRu
   return points.map((point) => {
     const isOfRest = point.kind === 'hopf' || point.kind === 'divergence';
     const up = !isOfRest && point.branch !== null ? heightsOf(cycles[point.branch], height)[point.index] : height === 'frequency' ? point.frequency : 0;
-    const kind = point.kind === 'hopf' && point.criticality === 'subcritical' ? 'hopf.subcritical' : point.kind;
-    const name = voice.say(/** @type {Key} */ (`branch.point.${kind}`), { value: quantity.write(quantity.snapped(point[parameter]), voice) });
-    return { kind: point.kind, across: point[parameter], up, text: isOfRest && isRubbed ? voice.say('branch.frictionless', { point: name }) : name };
+    const name = voice.say(/** @type {Key} */ (`branch.point.${point.kind}`), { value: quantity.write(quantity.snapped(point[parameter]), voice) });
+    const whole = isOfRest && isRubbed ? voice.say('branch.frictionless', { point: name }) : point.criticality ? voice.say(`branch.${point.criticality}`, { point: name }) : name;
+    return { kind: point.kind, across: point[parameter], up, texts: whole === name ? [name] : [whole, name] };
   });
 }
 
-/** Where a simulated sweep has settled, on its way up and down. @param {Sweep} sweep */
+/**
+ * Which way cycles come out of the Hopf points, and what tells that. Of several that differ in nothing else there is one sentence.
+ * @param {Bifurcation} diagram
+ * @param {Quantity} quantity
+ * @param {Voice} voice
+ * @returns {string[]}
+ */
+export function criticalityInWords({ parameter, points }, quantity, voice) {
+  /** @type {Map<string, string[]>} */
+  const values = new Map();
+  for (const point of points) {
+    const { criticality, by, lyapunov } = point;
+    if (point.kind !== 'hopf' || !criticality) continue;
+    const value = quantity.write(quantity.snapped(point[parameter]), voice);
+    const how = criticality === 'degenerate' || !by ? '' : voice.say(`branch.by.${by}`, { lyapunov: voice.number(lyapunov ?? NaN, decimalsFor(lyapunov ?? NaN, 3)) });
+    const said = voice.say(`branch.${criticality}.means`) + (how && ` ${how}`);
+    values.set(said, [...(values.get(said) ?? []), value]);
+  }
+  return Array.from(values, ([said, at]) => voice.say('branch.hopf.reads', { point: at.map((value) => voice.say('branch.point.hopf', { value })).join(', '), said }));
+}
+
+/** Where a simulated sweep has come to on its way up and down, and whether it has settled there. @param {Sweep} sweep */
 export function stopsOf(sweep) {
-  return /** @type {const} */ (['up', 'down']).flatMap((way) => Array.from(sweep.value, (value, i) => ({ value, way, up: sweep[way].amplitude[i] }))
+  const isSettled = (/** @type {import('../../pkg/shimmy.js').SweepWay & { settled?: Uint8Array }} */ { settled }, /** @type {number} */ i) => settled?.[i] !== 0;
+  return /** @type {const} */ (['up', 'down']).flatMap((way) => Array.from(sweep.value, (value, i) => ({ value, way, up: sweep[way].amplitude[i], isSettled: isSettled(sweep[way], i) }))
     .filter(({ up }, i) => sweep[way].kind[i] < sweep.kinds.length && Number.isFinite(up)));
 }

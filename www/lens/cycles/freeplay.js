@@ -13,8 +13,8 @@ import { decimalsFor } from '../../words/number.js';
 import { parameterOption } from '../stability/option.js';
 import { lowerName, plainSymbol, rangeInWords } from '../stability/say.js';
 import { BesideWork } from './beside-work.js';
-import { heightsOf, highest, slopeOfSmall, turnsOf } from './branches.js';
-import { restOf } from './diagram.js';
+import { highest, slopeOfSmall } from './branches.js';
+import { lineOf, restOf } from './diagram.js';
 import { CyclePanel } from './panel.js';
 import { PlaneHand } from './plane-hand.js';
 import { gapParameter, gapRanges } from './settings.js';
@@ -218,7 +218,7 @@ export class Freeplay extends CyclePanel {
     drawBifurcation(context, size, {
       quantity: sides.y.quantity, from: sides.y.from, to: sides.y.to, height: 'torsionAngle', limit: roundLimit(Math.max(most / degree, 0.1)) * degree,
       rest: diagram && restOf(diagram, 'torsionAngle', scene.parameters['friction.moment'] ?? 0),
-      branches: diagram?.cycles.map((branch, i) => ({ across: branch.freeplayAngle, up: heightsOf(branch, 'torsionAngle'), stable: branch.stable, turns: turnsOf(diagram, i) })) ?? [],
+      branches: diagram?.cycles.map((_, i) => lineOf(diagram, i, 'torsionAngle')) ?? [],
       points: [], law: slope === null ? null : { slope, text: voice.say('branch.law', { slope: voice.number(slope, 2) }) }, sweep: [],
       now: { value: this.#point.y, motion: scene.outlook.present.amplitude, cycle: cycle && { up: cycle.amplitude.torsionAngle, stable: cycle.stable ?? true } },
       cursor: null, isOld: isOld && diagram !== null, veiled: false,
