@@ -13,7 +13,7 @@ import { textFont, writeEdged } from './text.js';
 const reach = 5;
 
 /** Rather than words are left out a name lies on so many points of a curve. */
-const dear = 4;
+const dear = 14;
 
 /** The corners of a mark, as shares of its reach. @type {Readonly<Record<Kind, readonly (readonly [number, number])[]>>} */
 const shapes = {
