@@ -28,6 +28,7 @@ const claims = {
   'two-starts': ['shimmies', 'shimmies', 'shimmies'],
   born: ['dies-out', 'shimmies', 'shimmies', 'shimmies'],
   folded: ['dies-out', 'shimmies', 'shimmies', 'dies-out'],
+  held: ['rests', 'shimmies', 'shimmies', 'shimmies', 'shimmies'],
   linear: ['grows', 'shimmies', 'dies-out'],
 };
 
@@ -130,6 +131,21 @@ test('the branch folds where wide swings of a simulation end', () => {
   const from = (/** @type {number} */ velocity, /** @type {number} */ torsionAngle) => engine.outlook({ model, parameters: { ...parameters, velocity }, initial: { torsionAngle } }).verdict;
   assert.deepEqual([from(fold - 0.5, 0.25), from(fold + 0.5, 0.25)], ['dies-out', 'shimmies'], `${fold}`);
   assert.deepEqual([fold + 0.5, 42].map((velocity) => from(velocity, 0.01)), ['dies-out', 'dies-out'], 'while a touch dies out');
+});
+
+test('friction stops a small twist and not a larger one, down to the fold in speed and up to the one in friction', () => {
+  const story = presets.find(({ name }) => name === 'held');
+  assert.ok(story);
+  const { model, parameters } = runOf(story.steps[1]);
+  const numbers = (/** @type {number} */ step) => (sentenceOf(story, step, engine, english).match(/[\d.]+(?= (m\/s|N m))/g) ?? []).map(Number);
+  // theory.md 2: 27.600 m/s at c = 20.
+  assert.deepEqual(numbers(0), [27.6, 200]);
+  const [speed] = numbers(2);
+  const [moment] = numbers(4);
+  // From wide starts, whose motion neither branch nor fold knows of.
+  const from = (/** @type {Record<string, number>} */ values) => engine.outlook({ model, parameters: { ...parameters, ...values }, initial: { torsionAngle: 0.25 } }).verdict;
+  assert.deepEqual([from({ velocity: speed - 0.5 }), from({ velocity: speed + 0.5 })], ['rests', 'shimmies'], `${speed}`);
+  assert.deepEqual([from({ 'friction.moment': moment + 10 }), from({ 'friction.moment': moment - 10 })], ['rests', 'shimmies'], `${moment}`);
 });
 
 test('in both languages every step has its sentence, with all its numbers', () => {

@@ -35,6 +35,7 @@ export function factsOf(engine, { state, asks }, voice) {
   return {
     get v() { return plain(parameters.velocity); },
     get c() { return plain(parameters.dampingConstant); },
+    get friction() { return plain(parameters['friction.moment']); },
     get e() { return plain(parameters.casterLength); },
     get ahead() { return plain(-parameters.casterLength); },
     get gap() { return `±${plain(Number((parameters.freeplayAngle * degrees).toPrecision(12)))}°`; },
@@ -59,6 +60,11 @@ export function factsOf(engine, { state, asks }, voice) {
     get vFold() {
       const { points } = engine.bifurcation({ model, parameters, parameter: 'velocity', from: 1, to: 120 });
       return down(Math.min(...points.filter(({ kind }) => kind === 'fold').map((point) => point.velocity)), 1, voice);
+    },
+    /** The dry friction beyond which no cycle is left. */
+    get frictionFold() {
+      const { points } = engine.bifurcation({ model, parameters, parameter: 'friction.moment', from: 0, to: 2000 });
+      return up(Math.max(...points.filter(({ kind }) => kind === 'fold').map((point) => point['friction.moment'])), 0, voice);
     },
     get eUpper() { return up(casters()[0]?.to ?? NaN, 3, voice); },
     get eLower() { return down(casters()[0]?.from ?? NaN, 3, voice); },

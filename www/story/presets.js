@@ -41,6 +41,8 @@ const softAndAhead = { casterLength: -0.5, torsionalStiffness: 50_000 };
 const folding = (velocity, torsionAngle) => ({
   ...rolling(velocity, 10, { casterLength: -0.05, sideForceLimitAngle: 3 * degree, aligningMomentLimitAngle: 20 * degree }), initial: { torsionAngle },
 });
+/** A gear that dry friction holds at rest, however fast it rolls. @param {number} torsionAngle in rad */
+const rubbing = (torsionAngle) => ({ ...rolling(60, 20, { 'friction.moment': 200 }), initial: { torsionAngle }, knobs: ['friction.moment', 'velocity', 'dampingConstant', 'casterLength'] });
 const damping = { knobs: ['dampingConstant', 'velocity', 'casterLength', 'freeplayAngle'] };
 const caster = { knobs: ['casterLength', 'velocity', 'dampingConstant', 'torsionalStiffness'] };
 
@@ -123,6 +125,13 @@ const stories = {
     { state: { ...folding(40, 0.3), ...branches('velocity:20:80') } },
     { state: { ...folding(40, 0.3), ...branches('velocity:20:80', { branchSweep: 'on' }) }, goesOn: true },
     { state: { ...folding(34, 0.3), ...branches('velocity:20:80') } },
+  ],
+  held: [
+    { state: rubbing(0.01) },
+    { state: rubbing(0.05) },
+    { state: { ...rubbing(0.05), ...branches('velocity:20:120') }, goesOn: true },
+    { state: { ...rubbing(0.05), lens: 'cycles', views: { cycles: 'basins' } }, goesOn: true },
+    { state: { ...rubbing(0.05), ...branches('friction.moment:0:1500') }, goesOn: true },
   ],
   linear: [
     { state: { ...opening, object: 'torsional-linear' } },

@@ -50,6 +50,7 @@ export class Strip extends LitElement {
   /** What to try with such a motion: one that comes to rest is woken, however it gets there. */
   get #advice() {
     const manner = this.outlook ? mannerOf(this.outlook) : 'shimmies';
+    if (this.outlook?.held) return 'held';
     return manner === 'creeps' || manner === 'stops' ? 'rests' : manner;
   }
 

@@ -126,6 +126,7 @@ export const cycles = {
 
   'search.born': 'bifurcation, Hopf point, Floquet multipliers, shooting, continuation, describing functions',
   'search.folded': 'bifurcation, fold, hysteresis, unstable cycle, basins, saddle-node, subcritical',
+  'search.held': 'dry friction, stiction, Coulomb, fold, saddle-node, bifurcation, hysteresis, basins, unstable cycle',
   'search.double-gap': 'bifurcation, proportional, map, freeplay',
   'search.cycle-table': 'limit cycle, amplitude, Floquet',
 

@@ -85,6 +85,14 @@ export const presets = {
   'preset.folded.3': 'The branch folds back to {vFold} m/s. Between two stable motions lies an unstable cycle: start just inside it, just outside.',
   'preset.folded.4': 'Only below {vFold} m/s is there no cycle: at {v} every push dies out.',
 
+  'preset.held': 'Held by friction, two endings',
+  'preset.held.tells': 'Friction holds the wheel at rest, and a firmer twist still makes it shimmy for good.',
+  'preset.held.1': 'Without friction every swing would grow from {vBoundary} m/s on. At {v} a friction of {friction} N m stops a twist of {start}.',
+  'preset.held.2': 'The same gear, a twist of {start}: now friction does not stop it, and it swings {swing} for good.',
+  'preset.held.3': 'Rest holds at every speed; from {vFold} m/s on a large cycle is there, too. Between them lies an unstable one: start just inside it, just outside.',
+  'preset.held.4': 'Two colors, two endings: drag the start across the edge.',
+  'preset.held.5': 'Over the friction the branch folds: past {frictionFold} N m no cycle is left, and every twist comes to rest.',
+
   'preset.linear': 'Linear against nonlinear',
   'preset.linear.tells': 'Linear theory tells where shimmy begins, not where it ends.',
   'preset.linear.1': 'In linear theory the tire’s force has no limit, and the swing grows without end.',

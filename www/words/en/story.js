@@ -6,6 +6,7 @@ export const story = {
   'story.rattles': 'Inside the gap no spring holds the wheel, and there the tire swings it. Close the gap.',
   'story.grows': 'It swings wider than this model is trusted for. Drag the damping up.',
   'story.rests': 'Nothing keeps it swinging. Kick the wheel and see what becomes of the swing.',
+  'story.held': 'Friction holds the wheel, whatever linear theory says of it. Kick it harder: a wide swing may stay.',
   'story.veiled': 'Change a value, and guess what becomes of the swing.',
   'story.place': '{title} · {at} of {steps}',
   'story.next': 'Next',

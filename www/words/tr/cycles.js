@@ -126,6 +126,7 @@ export const cycles = {
 
   'search.born': 'çatallanma, Hopf noktası, Floquet çarpanları, atış yöntemi, süreklilik, tanımlayıcı işlev',
   'search.folded': 'çatallanma, katlanma, histerezis, kararsız çevrim, çekim havzası, kritik altı',
+  'search.held': 'kuru sürtünme, Coulomb, katlanma, çatallanma, histerezis, çekim havzası, kararsız çevrim',
   'search.double-gap': 'çatallanma, orantı, harita, boşluk',
   'search.cycle-table': 'limit çevrim, genlik, Floquet',
 

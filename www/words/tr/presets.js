@@ -85,6 +85,14 @@ export const presets = {
   'preset.folded.3': 'Dal {vFold} m/s’ye geri katlanıyor. İki kararlı hareketin arasında kararsız bir çevrim var: hemen içinde başlat, hemen dışında başlat.',
   'preset.folded.4': 'Ancak {vFold} m/s altında çevrim yok: {v} m/s’de her itme sönüyor.',
 
+  'preset.held': 'Sürtünme tutuyor, iki son',
+  'preset.held.tells': 'Sürtünme tekerleği durağan tutuyor, ama daha sert bir burma onu kalıcı shimmy’ye sokuyor.',
+  'preset.held.1': 'Sürtünme olmasa {vBoundary} m/s’den sonra her salınım büyürdü. {v} m/s’de {friction} N m sürtünme {start} burmayı durduruyor.',
+  'preset.held.2': 'Aynı takım, {start} burma: sürtünme artık durduramıyor, {swing} salınıyor ve bu bitmiyor.',
+  'preset.held.3': 'Durma her hızda tutuyor; {vFold} m/s’den sonra yanında büyük bir çevrim de var. Aralarında kararsız bir çevrim: hemen içinde başlat, hemen dışında başlat.',
+  'preset.held.4': 'İki renk, iki son: başlangıcı sınırın ötesine sürükle.',
+  'preset.held.5': 'Sürtünme üzerinde dal katlanıyor: {frictionFold} N m’den sonra çevrim kalmıyor, her burma duruyor.',
+
   'preset.linear': 'Doğrusal ve doğrusal olmayan',
   'preset.linear.tells': 'Doğrusal kuram shimmy’nin nerede başladığını söyler, nerede bittiğini değil.',
   'preset.linear.1': 'Doğrusal kuramda lastiğin kuvveti sınırsız, salınım sonsuza dek büyüyor.',

@@ -6,6 +6,7 @@ export const story = {
   'story.rattles': 'Boşluğun içinde tekerleği hiçbir yay tutmuyor, lastik onu orada sallıyor. Boşluğu kapat.',
   'story.grows': 'Bu modelin güvenilir olduğundan geniş salınıyor. Sönümü artır.',
   'story.rests': 'Onu salınımda tutan bir şey yok. Tekerleğe vur ve salınımın ne olacağına bak.',
+  'story.held': 'Doğrusal kuram ne derse desin, sürtünme tekerleği tutuyor. Daha sert vur: geniş bir salınım kalabilir.',
   'story.veiled': 'Bir değeri değiştir ve salınımın ne olacağını tahmin et.',
   'story.place': '{title} · {at} / {steps}',
   'story.next': 'İleri',
