@@ -11,7 +11,7 @@
 mod controller;
 mod dense;
 mod dop853;
-mod dormand_prince;
+pub(crate) mod dormand_prince;
 mod driver;
 mod linear;
 mod locate;

@@ -5,6 +5,7 @@
 //! `&mut self` borrowed for ever.
 
 mod cycles;
+mod damper;
 pub(crate) mod digits;
 mod ensemble;
 mod input;
@@ -16,6 +17,7 @@ mod record;
 mod simulator;
 
 pub use cycles::{bifurcation, describing_function, fold_curve, limit_cycle};
+pub use damper::{damper_response, dampers};
 pub use ensemble::{basins, poincare, sweep};
 pub use job::Job;
 pub use linear::{

@@ -486,6 +486,39 @@ export interface AtlasEntry {
   map?: Record<string, any>;
   [key: string]: any;
 }
+/** A damper's tables. */
+export interface DamperModel {
+  name: string;
+  title: string;
+  parameters: Parameter[];
+  state: StateVariable[];
+  /** a current in A, or a voltage in V */
+  command: Parameter;
+  /** defaults that differ on a gear: what would preload it, or what is far too large for it */
+  onGear: Record<string, number>;
+}
+/** A damper: `model` is required. `leverArm` is a gear's, and does not enter where there is none. */
+export interface Damper { model: string; command?: number | null; leverArm?: number | null; parameters?: Parameters | null }
+/** How a piston is moved, from x = 0 upwards: amplitude in m (0.01) and frequency in Hz (2) go in straight lines to their last values, which are the first where they are not given. `shape`: sine. */
+export interface Excitation {
+  amplitude?: number | null;
+  frequency?: number | null;
+  endAmplitude?: number | null;
+  endFrequency?: number | null;
+  shape?: 'sine' | 'triangle' | null;
+}
+/** `cycles`: 4, at most 10 000. `samples`: 1000 in all, 2 … 1e6, equally spaced, the end excluded. */
+export interface DamperResponseSpec { damper: Damper; excitation?: Excitation | null; cycles?: number | null; samples?: number | null }
+/** A damper's motion, force in N and state, from z = 0, w = 0 and the settled command. */
+export interface DamperResponse {
+  time: Float64Array;
+  displacement: Float64Array;
+  velocity: Float64Array;
+  force: Float64Array;
+  hysteresis: Float64Array;
+  /** 0 of a damper without */
+  internalDisplacement: Float64Array;
+}
 /** What the links between parameters give. */
 export interface LinkedParameters { relaxationLength: number; treadWidthMomentConstant: number }
 /** Forces at a state, SI. */

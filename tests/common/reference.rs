@@ -71,7 +71,7 @@ pub fn number(json: &Json) -> f64 {
     json.as_f64().expect("a number")
 }
 
-fn value(json: &Json) -> Value {
+pub fn value(json: &Json) -> Value {
     match json {
         Json::Null => Value::Absent,
         Json::Bool(truth) => Value::Bool(*truth),

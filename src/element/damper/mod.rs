@@ -23,16 +23,23 @@
 
 mod cubic;
 mod current_dependent;
+mod excitation;
+mod follow;
 mod hysteresis;
 mod modified;
+mod response;
 mod simple;
+mod spec;
 mod tables;
 
 pub use cubic::Cubic;
 pub use current_dependent::{CurrentDependent, Rise};
+pub use excitation::{Excitation, Shape};
 pub use hysteresis::{Branch, Course, Hysteresis};
 pub use modified::Modified;
+pub use response::{DamperResponse, ResponseSpec};
 pub use simple::Simple;
+pub use spec::DamperSpec;
 
 use serde::{Serialize, Serializer};
 
