@@ -6,7 +6,9 @@ mod common;
 use common::linear;
 use shimmy::{
     Run,
-    outlook::{Outlook, Verdict},
+    cycles::BifurcationSpec,
+    outlook::{Outlook, Trend, Verdict},
+    stability::Variation,
 };
 
 /// The gear at 80 m/s with damping `c`, from the torsion angle `psi`.
@@ -142,4 +144,52 @@ fn every_state_has_its_amplitude() {
         let most = column.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         assert!(most <= amplitude * (1.0 + 1e-12) && most > 0.999 * amplitude);
     }
+}
+
+#[test]
+fn on_an_unstable_cycle_nothing_is_settled() {
+    let trailing = [
+        ("velocity", 102.0),
+        ("dampingConstant", 29.0),
+        ("casterLength", -0.2),
+        ("aligningMomentDerivative", 4.8),
+        ("sideForceLimitAngle", 0.047),
+        ("aligningMomentLimitAngle", 0.29),
+    ];
+    let rubbed = [("velocity", 80.0), ("dampingConstant", 20.0), ("friction.moment", 80.0)];
+    for (parameters, inside) in [(&trailing[..], Verdict::DiesOut), (&rubbed[..], Verdict::Rests)] {
+        let run = linear::gear(parameters);
+        let velocity = parameters[0].1;
+        let diagram =
+            BifurcationSpec::of(run.clone(), Variation::of("velocity", velocity, velocity + 5.0)).made().unwrap();
+        for branch in diagram.cycles() {
+            let point = branch.points.iter().find(|point| point.value == velocity).unwrap();
+            let from = |factor: f64| {
+                let states = run.description().state.iter().zip(&point.state);
+                let start = states.fold(run.clone(), |run, (state, x)| run.starting(state.name, factor * x).unwrap());
+                start.outlook().unwrap()
+            };
+            let there = from(1.0);
+            let stable = point.unstable == 0;
+            assert_eq!((there.stable, there.settled), (Some(stable), stable), "{parameters:?}");
+            assert_eq!(there.trend, Trend::Steady);
+            assert!((there.amplitude[0] / point.amplitude[0] - 1.0).abs() < 1e-5);
+            let (less, more) = (from(0.98), from(1.02));
+            assert_eq!((less.stable, more.stable), (None, None));
+            if !stable {
+                assert_eq!((less.verdict, more.verdict), (inside, Verdict::Shimmies));
+                assert_eq!((less.trend, more.trend), (Trend::Falling, Trend::Growing));
+            }
+        }
+        assert!(diagram.cycles().iter().any(|branch| branch.points[0].unstable == 1), "{parameters:?}");
+    }
+}
+
+#[test]
+fn a_swing_beside_others_is_not_unstable() {
+    // Off the ground and without damping every swing goes on as it is, whatever its size.
+    let free = [("verticalForce", 0.0), ("dampingConstant", 0.0), ("treadWidthMomentConstant", 0.0)];
+    let state = |run: Run| run.starting("torsionAngle", 0.1).unwrap().within(1e-12).unwrap();
+    let outlook = state(linear::gear(&free)).outlook().unwrap();
+    assert_eq!((outlook.stable, outlook.settled), (Some(true), true), "{outlook:?}");
 }

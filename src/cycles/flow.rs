@@ -46,6 +46,10 @@ pub(super) trait Flow {
     /// # Errors
     /// A motion that leaves the numbers.
     fn orbit(&mut self, from: &[f64], period: f64) -> Result<Columns>;
+
+    /// Steps so far, those with neighbours tenfold.
+    #[cfg(test)]
+    fn work(&self) -> u64;
 }
 
 /// How far a cycle swings; states in their own units.
@@ -65,6 +69,8 @@ pub(super) struct Carrier<S, const N: usize> {
     relative: f64,
     scale: [f64; N],
     most_steps: u64,
+    #[cfg(test)]
+    with_neighbours: u64,
 }
 
 fn tolerance<const N: usize>(relative: f64, scale: &[f64; N]) -> Tolerance<N> {
@@ -96,7 +102,14 @@ impl<S: System<N>, const N: usize> Carrier<S, N> {
         };
         let motion = Integrator::new(system, method, tolerance(relative, &scale), 1.0, period / STEPS, [0.0; N])
             .map_err(|failure| failed(failure, 0.0))?;
-        Ok(Self { motion, relative, scale, most_steps })
+        Ok(Self {
+            motion,
+            relative,
+            scale,
+            most_steps,
+            #[cfg(test)]
+            with_neighbours: 0,
+        })
     }
 
     /// Goes over to another system; says whether its equations are in finite numbers.
@@ -145,6 +158,10 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
                 return None;
             }
             let outcome = self.motion.step(duration).ok()?;
+            #[cfg(test)]
+            {
+                self.with_neighbours += u64::from(neighbours);
+            }
             if neighbours && self.motion.time() > self.motion.step_start() {
                 matrix = self.carried().times(&matrix);
             }
@@ -186,6 +203,11 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
             size: norm(&vector(N, &|i| 0.5 * (high[i] - low[i]) / self.scale[i])),
             rise: rise.to_vec(),
         })
+    }
+
+    #[cfg(test)]
+    fn work(&self) -> u64 {
+        self.motion.stats().steps + 9 * self.with_neighbours
     }
 
     fn orbit(&mut self, from: &[f64], period: f64) -> Result<Columns> {

@@ -45,6 +45,8 @@ use crate::{
 
 /// Most steps on the way to a cycle: six seconds take some ten thousand.
 const MOST_STEPS: u64 = 300_000;
+/// A cycle rises through zero at most so often.
+const MOST_ROUNDS: u32 = 4;
 /// A cycle farther from the motion that led there is another one.
 const NEAR: f64 = 0.2;
 
@@ -52,6 +54,9 @@ const NEAR: f64 = 0.2;
 /// of all that is known of a cycle its neighbours suffer first where it turns sharply.
 const TRIVIAL: f64 = 3e-7;
 const FINEST: f64 = 16.0;
+
+/// Neighbours that leave by less than this part in a round seem to stay: they have orbits beside the cycle, or nearly so.
+const LEAVING: f64 = 1e-5;
 
 /// A motion that repeats, isolated from others that do.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,7 +97,7 @@ pub(crate) fn limit_cycle<S: Gear<N>, const N: usize>(
         let look = look_ahead(motion, scales, horizon, posed.run.max_steps().min(MOST_STEPS))?;
         let (End::Repeats, Some(cycle)) = (look.end, look.destination) else { continue };
         let mut carrier = Carrier::of(posed, cycle.period)?;
-        if let Some(found) = settled(&mut carrier, &scaled(look.motion.state()), cycle.period)? {
+        if let Some(found) = settled(&mut carrier, scaled(look.motion.state()), cycle.period)? {
             return told(&mut carrier, found);
         }
     }
@@ -101,21 +106,58 @@ pub(crate) fn limit_cycle<S: Gear<N>, const N: usize>(
 
 /// The cycle that a motion has settled on, now at `x`: a stable one where there is one, over one or several times the time
 /// between two rises through zero.
-fn settled(flow: &mut dyn Flow, x: &[f64], between: f64) -> Result<Option<Periodic>> {
-    let near = |found: &Periodic| shooting::gap(&found.x, x, 1.0) < NEAR;
-    let mut best = shooting::periodic(flow, x, between)?.filter(near);
-    let odd = shooting::is_odd(flow, x);
-    for times in 1..=4 {
-        if best.as_ref().is_some_and(|found| found.stable) {
-            break;
-        }
-        let found = shooting::whole(flow, x, f64::from(times) * between, odd)?.filter(near);
-        best = match (best, found) {
-            (Some(best), Some(found)) if !found.stable => Some(best),
-            (best, found) => found.or(best),
-        };
+fn settled(flow: &mut dyn Flow, x: Vec<f64>, between: f64) -> Result<Option<Periodic>> {
+    let mut arrival = Arrival::at(x, between);
+    while !arrival.advance(flow)? {}
+    Ok(arrival.best)
+}
+
+/// The same, one search at a time.
+struct Arrival {
+    x: Vec<f64>,
+    between: f64,
+    searches: u32,
+    best: Option<Periodic>,
+}
+
+impl Arrival {
+    fn at(x: Vec<f64>, between: f64) -> Self {
+        Self { x, between, searches: 0, best: None }
     }
-    Ok(best)
+
+    /// Searches once; says whether there is nothing more to search for.
+    fn advance(&mut self, flow: &mut dyn Flow) -> Result<bool> {
+        let Self { x, between, searches, best } = self;
+        let found = if *searches == 0 {
+            shooting::periodic(flow, x, *between)?
+        } else {
+            let odd = shooting::is_odd(flow, x);
+            shooting::whole(flow, x, f64::from(*searches) * *between, odd)?
+        };
+        let near = found.filter(|found| shooting::gap(&found.x, x, 1.0) < NEAR);
+        if near.as_ref().is_some_and(|found| best.is_none() || found.stable) {
+            *best = near;
+        }
+        *searches += 1;
+        Ok(*searches > MOST_ROUNDS || best.as_ref().is_some_and(|best| best.stable))
+    }
+}
+
+/// Whether a motion that repeats, now at `x`, is on a cycle that its neighbours stay with: none where it does not get round.
+///
+/// # Errors
+/// A matrix so extreme that its eigenvalues leave the numbers.
+pub(crate) fn holds<S: Gear<N>, const N: usize>(
+    posed: &Posed<S, N>,
+    x: &[f64; N],
+    period: f64,
+) -> Result<Option<bool>> {
+    let scales = posed.tables.description.state;
+    let mut carrier = Carrier::of(posed, period)?;
+    let x = vector(N, &|i| x[i] / scales[i].scale);
+    let Some((_, around)) = carrier.carry(&x, period, true) else { return Ok(None) };
+    let (_, others) = shooting::multipliers(&around, &carrier.rate(&x))?;
+    Ok(Some(others.iter().all(|value| value.norm() < 1.0 + LEAVING)))
 }
 
 fn told(flow: &mut dyn Flow, mut found: Periodic) -> Result<Option<LimitCycle>> {

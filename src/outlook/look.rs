@@ -56,7 +56,7 @@ pub(crate) fn look_ahead<S: Gear<N>, const N: usize>(
     most_steps: u64,
 ) -> Result<Look<S, N>> {
     let mut ahead = Ahead::of(motion, scales, horizon, most_steps);
-    while !ahead.advance(usize::MAX)? {}
+    while !ahead.follow(usize::MAX)? {}
     ahead.seen()
 }
 
@@ -70,7 +70,7 @@ impl<S: Gear<N>, const N: usize> Ahead<S, N> {
     }
 
     /// Follows the motion for so many steps more; says whether there is no more to follow.
-    pub fn advance(&mut self, steps: usize) -> Result<bool> {
+    pub fn follow(&mut self, steps: usize) -> Result<bool> {
         for _ in 0..steps {
             let time = self.watch.motion.time();
             if time >= self.horizon || self.end.is_some() || self.watch.motion.stats().steps >= self.most_steps {
@@ -87,6 +87,11 @@ impl<S: Gear<N>, const N: usize> Ahead<S, N> {
             self.end = self.judged();
         }
         Ok(false)
+    }
+
+    /// The states, with their typical sizes.
+    pub fn scales(&self) -> &'static [StateVariable] {
+        self.scales
     }
 
     /// The end that the last step shows, if it does.

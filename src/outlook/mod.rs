@@ -10,6 +10,7 @@ pub(crate) use self::{
     watch::End,
 };
 use crate::{
+    cycles,
     error::{Error, Result},
     integrate::{Integrator, failed},
     live::{Columns, Envelope},
@@ -21,6 +22,8 @@ use crate::{
 pub(crate) const HORIZON: f64 = 6.0;
 /// Swings beyond this leave the range of the kinematics (vψ for v sin ψ), in rad.
 pub(crate) const TRUSTED: f64 = 0.5;
+/// A swing whose amplitude changes by less than this from the first cycle on repeats from the start.
+const STAYS: f64 = 1e-6;
 /// Points of the orbit.
 const ORBIT: usize = 128;
 
@@ -79,7 +82,7 @@ impl Trend {
 pub struct Outlook {
     /// In one word.
     pub verdict: Verdict,
-    /// It has arrived there from the start on.
+    /// It has arrived there from the start on, and stays: it is not on an unstable cycle.
     pub settled: bool,
     /// Where it rests, dry friction holds it away from the middle.
     pub held: bool,
@@ -93,6 +96,9 @@ pub struct Outlook {
     pub present_frequency: Option<f64>,
     /// Which way the amplitude goes at the start.
     pub trend: Trend,
+    /// Of a swing that repeats from the start on: whether its neighbours stay with it. Where they do not, it is on an
+    /// unstable cycle, and the smallest push decides where it goes. None of a motion that changes, or of rest.
+    pub stable: Option<bool>,
     /// Least and greatest value of the first state, cycle by cycle, up to the arrival or the horizon.
     pub envelope: Envelope,
     /// One period of the motion it goes to; empty where it goes to rest or beyond.
@@ -108,8 +114,8 @@ pub trait Lookout {
     fn advance(&mut self) -> Result<Option<Outlook>>;
 }
 
-/// Steps of a motion at a time.
-const STEPS: usize = 500;
+/// Steps of a motion at a time: a fraction of a millisecond.
+pub(crate) const STEPS: usize = 500;
 
 /// What a run's lookout does now.
 enum Stage<S, const N: usize> {
@@ -159,7 +165,7 @@ impl<S: Gear<N>, const N: usize> Lookout for Looking<S, N> {
         match std::mem::replace(&mut self.stage, Stage::Over) {
             Stage::Resting(outlook) => return Ok(Some(outlook)),
             Stage::Ahead(mut ahead) => {
-                if !ahead.advance(STEPS)? {
+                if !ahead.follow(STEPS)? {
                     self.stage = Stage::Ahead(ahead);
                     return Ok(None);
                 }
@@ -170,7 +176,7 @@ impl<S: Gear<N>, const N: usize> Lookout for Looking<S, N> {
                 }
             }
             Stage::Gapless(look, mut ahead) => {
-                if ahead.advance(STEPS)? {
+                if ahead.follow(STEPS)? {
                     let dies = matches!(ahead.seen()?.end, End::Dies | End::Stops);
                     return told(&self.posed, *look, dies).map(Some);
                 }
@@ -199,7 +205,11 @@ fn told<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, mut look: Look<S, N>, r
     };
     let (present_amplitude, present_frequency, trend) = present(&look, x[0]);
     let mut orbit = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
+    let mut stable = None;
     if let (End::Repeats, Some(cycle)) = (&look.end, look.destination) {
+        if look.cycles.first().is_some_and(|first| (first.amplitude[0] / cycle.amplitude[0] - 1.0).abs() < STAYS) {
+            stable = cycles::holds(posed, look.motion.state(), cycle.period)?;
+        }
         let round = once_round(&mut look, cycle.period)?;
         amplitude = std::array::from_fn(|i| amplitude[i].max(round.1[i]));
         if verdict != Verdict::Grows {
@@ -210,13 +220,14 @@ fn told<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, mut look: Look<S, N>, r
         && (present_amplitude / amplitude[0] - 1.0).abs() < 1e-3;
     Ok(Outlook {
         verdict,
-        settled: arrived,
+        settled: arrived && stable != Some(false),
         held: verdict == Verdict::Rests && look::held(&look.motion),
         amplitude: if verdict == Verdict::DiesOut { vec![0.0; N] } else { amplitude.to_vec() },
         frequency: if verdict == Verdict::DiesOut { None } else { frequency },
         present_amplitude,
         present_frequency,
         trend: if arrived { Trend::Steady } else { trend },
+        stable,
         envelope: envelope(&look, x[0]),
         orbit,
     })
@@ -232,6 +243,7 @@ fn resting<const N: usize>(x: [f64; N], sticks: bool) -> Outlook {
         present_amplitude: x[0].abs(),
         present_frequency: None,
         trend: Trend::Steady,
+        stable: None,
         envelope: Envelope { time: vec![0.0], low: vec![x[0]], high: vec![x[0]] },
         orbit: Columns { time: Vec::new(), states: vec![Vec::new(); N] },
     }

@@ -89,7 +89,8 @@ pub(super) fn outlook(run: &Run, outlook: &Outlook) -> JsValue {
     let present = Record::new()
         .number("amplitude", outlook.present_amplitude)
         .maybe("frequency", outlook.present_frequency)
-        .text("trend", outlook.trend.name());
+        .text("trend", outlook.trend.name())
+        .value("stable", outlook.stable.map_or(JsValue::NULL, JsValue::from_bool));
     Record::new()
         .text("verdict", outlook.verdict.name())
         .truth("settled", outlook.settled)

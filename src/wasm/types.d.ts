@@ -51,7 +51,7 @@ export interface Envelope { time: Float64Array; low: Float64Array; high: Float64
 /** What becomes of a motion. */
 export interface Outlook {
   verdict: 'shimmies' | 'dies-out' | 'rattles' | 'grows' | 'rests';
-  /** it is there already */
+  /** it is there already, and stays */
   settled: boolean;
   /** where it rests, dry friction holds it away from the middle */
   held: boolean;
@@ -59,8 +59,11 @@ export interface Outlook {
   amplitude: Record<string, number>;
   /** Hz */
   frequency: number | null;
-  /** the first cycle from here: amplitude of the first state */
-  present: { amplitude: number; frequency: number | null; trend: 'growing' | 'falling' | 'steady' };
+  /**
+   * the first cycle from here: amplitude of the first state; `stable` of a swing that repeats from here on: false on an
+   * unstable cycle, from which the smallest push leads away; null while it changes, and at rest
+   */
+  present: { amplitude: number; frequency: number | null; trend: 'growing' | 'falling' | 'steady'; stable: boolean | null };
   /** cycle by cycle, up to the arrival */
   envelope: Envelope;
   /** one period of the motion it goes to; empty where it goes to rest or beyond */

@@ -45,7 +45,8 @@ test('a sweep goes there and back, and keeps its motion', () => {
   const sweep = shimmy.sweep(SWEEP);
   assert.deepEqual(Object.keys(sweep), ['value', 'up', 'down', 'kinds']);
   assert.deepEqual(Array.from(sweep.value), [10, 22.5, 35, 47.5, 60, 72.5, 85, 97.5, 110]);
-  assert.deepEqual(Object.keys(sweep.up), ['kind', 'amplitude']);
+  assert.deepEqual(Object.keys(sweep.up), ['kind', 'amplitude', 'settled']);
+  assert.ok([...sweep.up.settled, ...sweep.down.settled].every((settled) => settled === 1));
   // theory.md 2: critical at 37.263 m/s.
   assert.deepEqual(Array.from(sweep.up.kind), [0, 0, 0, 2, 2, 2, 2, 2, 2]);
   const rates = shimmy.sweep({ ...SWEEP, measure: 'torsionRate' });

@@ -92,7 +92,7 @@ const nothingAhead = {
   held: false,
   amplitude: { torsionAngle: 0, torsionRate: 0, lateralDeformation: 0 },
   frequency: null,
-  present: { amplitude: 0, frequency: null, trend: 'steady' },
+  present: { amplitude: 0, frequency: null, trend: 'steady', stable: null },
   envelope: { time: new Float64Array(), low: new Float64Array(), high: new Float64Array() },
   orbit: { time: new Float64Array(), torsionAngle: new Float64Array(), torsionRate: new Float64Array(), lateralDeformation: new Float64Array() },
 };

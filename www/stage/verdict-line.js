@@ -32,6 +32,7 @@ export function numbersOf(outlook, voice) {
   const now = swing(present.amplitude, voice);
   const goal = swing(verdict === 'dies-out' ? 0 : amplitude.torsionAngle, voice);
   const limit = { text: voice.say('verdict.limit') };
+  if (present.stable === false && verdict !== 'grows') return [{ text: now }, ...hertz, { text: voice.say('verdict.unstable') }];
   if (hasSettled(outlook, voice))
     return [{ text: goal }, ...hertz, amplitude.torsionAngle > trusted ? limit : { text: voice.say('verdict.settled') }];
   const trend = present.trend === 'growing' ? voice.say('verdict.growing', { amplitude: now })
@@ -49,12 +50,12 @@ export function wordOf(outlook) {
 
 /**
  * Whether the swing has come to where it goes: what no longer changes in any number shown has settled, for all that can be
- * seen.
+ * seen; but a swing on an unstable cycle has not.
  * @param {Outlook} outlook
  * @param {Voice} voice
  */
 export function hasSettled({ verdict, settled, amplitude, present }, voice) {
-  return verdict !== 'grows' && (settled || swing(present.amplitude, voice) === swing(verdict === 'dies-out' ? 0 : amplitude.torsionAngle, voice));
+  return verdict !== 'grows' && present.stable !== false && (settled || swing(present.amplitude, voice) === swing(verdict === 'dies-out' ? 0 : amplitude.torsionAngle, voice));
 }
 
 /**

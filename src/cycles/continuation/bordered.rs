@@ -150,37 +150,58 @@ impl Equations {
         }
         Some(rows)
     }
+}
 
-    /// The fold near `guess` in the plane through it that `border` stands on, with the derivatives there.
-    pub fn correct(
-        &self,
-        family: &mut dyn Family,
-        sheet: &Sheet,
-        guess: &Spot,
-        border: &[f64],
-    ) -> Option<(Spot, DMatrix<f64>)> {
-        let mut spot = guess.clone();
-        let last = border.len() - 1;
-        for _ in 0..MATRICES {
-            let rows = self.rows(family, sheet, &spot, border)?;
-            let mut before = f64::INFINITY;
-            for _ in 0..STEPS {
-                let miss = self.miss(family, sheet, &spot)?;
-                let step = solution(&rows, &|i| if i < last { -miss[i] } else { 0.0 });
-                let long = norm(&step);
-                if long < ARRIVED || (long < ROUNDED && long > 0.5 * before) {
-                    return Some((spot, rows));
-                }
-                if long.is_nan() || long > LONGEST {
-                    return None;
-                }
-                if long > GAINING * before {
-                    break;
-                }
-                before = long;
-                spot = sheet.ahead(&spot, &step, 1.0);
-            }
+/// The way to the fold near a guess in the plane through it that `border` stands on, by Newton's method.
+pub(super) struct Correction {
+    pub border: Vec<f64>,
+    spot: Spot,
+    matrices: usize,
+}
+
+/// How a correction goes.
+pub(super) enum Corrected {
+    Goes,
+    Fails,
+    /// The fold, with the derivatives there.
+    Found(Spot, DMatrix<f64>),
+}
+
+impl Correction {
+    pub fn from(guess: &Spot, border: Vec<f64>) -> Self {
+        Self { border, spot: guess.clone(), matrices: 0 }
+    }
+
+    /// Goes on with derivatives taken anew.
+    pub fn advance(&mut self, equations: &Equations, family: &mut dyn Family, sheet: &Sheet) -> Corrected {
+        self.matrices += 1;
+        match self.stepped(equations, family, sheet) {
+            Some(Corrected::Goes) if self.matrices >= MATRICES => Corrected::Fails,
+            stepped => stepped.unwrap_or(Corrected::Fails),
         }
-        None
+    }
+
+    fn stepped(&mut self, equations: &Equations, family: &mut dyn Family, sheet: &Sheet) -> Option<Corrected> {
+        let Self { border, spot, .. } = self;
+        let last = border.len() - 1;
+        let rows = equations.rows(family, sheet, spot, border)?;
+        let mut before = f64::INFINITY;
+        for _ in 0..STEPS {
+            let miss = equations.miss(family, sheet, spot)?;
+            let step = solution(&rows, &|i| if i < last { -miss[i] } else { 0.0 });
+            let long = norm(&step);
+            if long < ARRIVED || (long < ROUNDED && long > 0.5 * before) {
+                return Some(Corrected::Found(spot.clone(), rows));
+            }
+            if long.is_nan() || long > LONGEST {
+                return None;
+            }
+            if long > GAINING * before {
+                break;
+            }
+            before = long;
+            *spot = sheet.ahead(spot, &step, 1.0);
+        }
+        Some(Corrected::Goes)
     }
 }

@@ -7,13 +7,13 @@ use std::rc::Rc;
 
 use super::{
     BifurcationSpec, BranchEnd, Criticality, CyclePoint, PointKind, RestBranch, Told,
-    family::{Family, RunAt, family},
+    family::{Family, RunAt, Settling, family},
     hopf::Hopf,
     line::Line,
     walk::Walk,
 };
 use crate::{
-    cycles::{Guess, vector::vector},
+    cycles::{Arrival, Guess, vector::vector},
     error::{Code, Error, Result, shown},
     parameter::StateVariable,
     stability::Crossing,
@@ -119,7 +119,14 @@ pub struct Bifurcation {
     done: usize,
     /// Unstable cycles that are predicted at a value, and not looked for yet.
     predicted: Vec<(Guess, f64)>,
+    probe: Option<Probe>,
     trip: Option<Trip>,
+}
+
+/// A motion that may lead to a cycle, at a value.
+enum Probe {
+    Settling(f64, Box<dyn Settling>),
+    Arrived(f64, Arrival),
 }
 
 impl BifurcationSpec {
@@ -154,6 +161,7 @@ impl BifurcationSpec {
             tasks: vec![Task::Rest],
             done: 0,
             predicted: Vec::new(),
+            probe: None,
             trip: None,
         })
     }
@@ -187,6 +195,10 @@ impl Bifurcation {
             }
             return Ok(());
         }
+        if let Some(probe) = self.probe.take() {
+            self.probe = self.follow(probe);
+            return Ok(());
+        }
         if let Some((guess, value)) = self.predicted.pop() {
             self.seek(&guess, value);
             return Ok(());
@@ -209,15 +221,21 @@ impl Bifurcation {
                 }
             }
             Task::Predictions(place) => self.predict(place)?,
-            Task::Probe(place, start) => self.probe(place, start)?,
+            Task::Probe(place, start) => self.probe = self.begin_probe(place, start)?,
         }
         self.done += 1;
         Ok(())
     }
 
+    /// What its cycles have cost so far: see [`Flow`](crate::cycles::flow::Flow).
+    #[cfg(test)]
+    pub(super) fn work(&mut self) -> u64 {
+        self.family.flow().work()
+    }
+
     /// Nothing is left to do.
     pub fn done(&self) -> bool {
-        self.done == self.tasks.len() && self.trip.is_none() && self.predicted.is_empty()
+        self.done == self.tasks.len() && self.trip.is_none() && self.probe.is_none() && self.predicted.is_empty()
     }
 
     /// The part that is made, 0 … 1, as far as that can be said.

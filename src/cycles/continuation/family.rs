@@ -7,7 +7,7 @@ use crate::{
     error::Result,
     integrate::{Integrator, Method, Tolerance, failed},
     model::{Gear, Model, Tables},
-    outlook::{End, look_ahead},
+    outlook::{Ahead, End, STEPS},
     parameter::StateVariable,
     run::{Posed, Run},
 };
@@ -33,12 +33,26 @@ pub(crate) trait Family {
     /// Which pieces of the laws hold at a state.
     fn pieces(&self, x: &[f64]) -> u32;
 
-    /// Where the motion from a state settles on a swing that repeats, and the time between two rises of its first state
-    /// through zero.
+    /// The motion from a state, to be followed until it settles.
     ///
     /// # Errors
     /// A motion that leaves the numbers.
-    fn settled(&self, x: &[f64], horizon: f64) -> Result<Option<(Vec<f64>, f64)>>;
+    fn settling(&self, x: &[f64], horizon: f64) -> Result<Box<dyn Settling>>;
+}
+
+/// A motion on its way to where it settles.
+pub(crate) trait Settling {
+    /// Follows it for a fraction of a millisecond; says whether it has come to its end.
+    ///
+    /// # Errors
+    /// A motion that leaves the numbers.
+    fn advance(&mut self) -> Result<bool>;
+
+    /// Where it has settled on a swing that repeats, and the time between two rises of its first state through zero.
+    ///
+    /// # Errors
+    /// A motion that leaves the numbers.
+    fn end(self: Box<Self>) -> Result<Option<(Vec<f64>, f64)>>;
 }
 
 /// A gear by the value of its parameter, and of a second one.
@@ -130,15 +144,26 @@ impl<S: Gear<N>, const N: usize> Family for Varied<S, N> {
         self.carrier.system().mode(0.0, &self.own(x)).0
     }
 
-    fn settled(&self, x: &[f64], horizon: f64) -> Result<Option<(Vec<f64>, f64)>> {
+    fn settling(&self, x: &[f64], horizon: f64) -> Result<Box<dyn Settling>> {
         let absolute = std::array::from_fn(|i| SETTLING / 100.0 * self.states[i].scale);
         let tolerance = Tolerance { relative: SETTLING, absolute };
         let system = self.carrier.system().clone();
         let motion = Integrator::new(system, Method::Auto, tolerance, 1.0, horizon / 20.0, self.own(x))
             .map_err(|failure| failed(failure, 0.0))?;
-        let look = look_ahead(motion, self.states, horizon, MOST_STEPS)?;
+        Ok(Box::new(Ahead::of(motion, self.states, horizon, MOST_STEPS)))
+    }
+}
+
+impl<S: Gear<N>, const N: usize> Settling for Ahead<S, N> {
+    fn advance(&mut self) -> Result<bool> {
+        self.follow(STEPS)
+    }
+
+    fn end(self: Box<Self>) -> Result<Option<(Vec<f64>, f64)>> {
+        let states = self.scales();
+        let look = self.seen()?;
         let (End::Repeats, Some(cycle)) = (look.end, look.destination) else { return Ok(None) };
-        let x = look.motion.state().iter().zip(self.states).map(|(x, state)| x / state.scale).collect();
+        let x = look.motion.state().iter().zip(states).map(|(x, state)| x / state.scale).collect();
         Ok(Some((x, cycle.period)))
     }
 }

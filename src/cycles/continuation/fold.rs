@@ -3,9 +3,9 @@
 use nalgebra::DMatrix;
 
 use super::{
-    bordered::{Equations, Sheet, Spot},
+    bordered::{Corrected, Correction, Equations, Sheet, Spot},
     family::Family,
-    newton::{Chart, Solved, solution},
+    newton::{Solved, solution},
     stop::{Stop, rescaled},
 };
 use crate::{
@@ -28,11 +28,25 @@ const MOST_POINTS: usize = 2_000;
 
 /// A curve of folds on the way.
 pub(super) struct FoldWalk {
+    /// The folds so far: none while the first is looked for.
     pub stops: Vec<(Stop, f64)>,
     here: Spot,
     tangent: Vec<f64>,
     sheet: Sheet,
     length: f64,
+    equations: Option<Equations>,
+    attempt: Option<Attempt>,
+    /// Parameters that may complete the first tangent, and its sense.
+    first: Vec<usize>,
+    sense: f64,
+}
+
+/// A fold ahead, being looked for.
+struct Attempt {
+    guess: Spot,
+    correction: Correction,
+    /// On the plane's edge.
+    edge: bool,
 }
 
 /// How a curve of folds ends.
@@ -45,103 +59,161 @@ pub(super) enum FoldEnd {
 
 impl FoldWalk {
     /// From a fold in the direction whose second parameter rises, or where `back` falls.
-    ///
-    /// # Errors
-    /// A motion or a matrix that leaves the numbers.
-    pub fn from(family: &mut dyn Family, sheet: &Sheet, seed: &Spot, back: bool) -> Result<Option<Self>> {
+    pub fn from(sheet: &Sheet, seed: &Spot, back: bool) -> Self {
         let n = seed.place.x.len();
-        let Some(equations) = Equations::around(family, sheet, seed) else { return Ok(None) };
+        let (tangent, first) = (Vec::new(), vec![n + 1, n + 2]);
         let sense = if back { -1.0 } else { 1.0 };
-        // A first tangent: rows without a border, completed by either parameter.
-        for border in [n + 2, n + 1].map(|which| times(sense, &axis(n + 3, which))) {
-            if let Some((spot, rows)) = equations.correct(family, sheet, seed, &border)
-                && let Some(tangent) = tangent(rows, &border)
-            {
-                let Some((stop, size)) = stop(family, sheet, &spot, &equations.phase)? else { return Ok(None) };
-                let sheet = Sheet { chart: Chart { size, ..sheet.chart }, ..*sheet };
-                let stops = vec![(stop, spot.other)];
-                return Ok(Some(Self { stops, here: spot, tangent, sheet, length: FIRST }));
-            }
-        }
-        Ok(None)
+        let (here, sheet) = (seed.clone(), *sheet);
+        let (equations, attempt) = (None, None);
+        Self { stops: Vec::new(), here, tangent, sheet, length: FIRST, equations, attempt, first, sense }
     }
 
-    /// Takes a step; tells why where there is none to take, or the last was one.
+    /// Goes on a bit; tells why where there is no next step to take, or the last was one. Without any stop then, there is no
+    /// curve.
     ///
     /// # Errors
     /// A motion or a matrix that leaves the numbers.
     pub fn advance(&mut self, family: &mut dyn Family) -> Result<Option<FoldEnd>> {
-        if self.stops.len() >= MOST_POINTS {
-            return Ok(Some(FoldEnd::Lost));
+        let Some(equations) = self.equations.take() else { return Ok(self.pose(family)) };
+        let Some(mut attempt) = self.attempt.take() else {
+            self.equations = Some(equations);
+            return Ok(self.attempts());
+        };
+        match attempt.correction.advance(&equations, family, &self.sheet) {
+            Corrected::Goes => self.attempt = Some(attempt),
+            Corrected::Fails => self.length *= 0.4,
+            Corrected::Found(spot, rows) => {
+                let before = self.stops.len();
+                let end = match before {
+                    0 => self.begins(family, &equations, &spot, rows, &attempt.correction.border)?,
+                    _ => self.arrives(family, &equations, attempt, spot, rows)?,
+                };
+                if end.is_some() || self.stops.len() > before {
+                    return Ok(end);
+                }
+            }
         }
+        self.equations = Some(equations);
+        Ok(None)
+    }
+
+    /// The equations around the last fold.
+    fn pose(&mut self, family: &mut dyn Family) -> Option<FoldEnd> {
+        if self.stops.len() >= MOST_POINTS {
+            return Some(FoldEnd::Lost);
+        }
+        if let Some((stop, _)) = self.stops.last() {
+            family.flow().pace(stop.point.period, 1.0);
+            let plane = norm(&self.tangent[self.here.place.x.len() + 1..]);
+            let others = norm(&self.tangent[..=self.here.place.x.len()]);
+            self.length = self.length.min(LONGEST_STEP / plane).min(LONGEST_CHANGE / others);
+        }
+        self.equations = Equations::around(family, &self.sheet, &self.here);
+        if self.equations.is_none() { Some(FoldEnd::Lost) } else { None }
+    }
+
+    /// Guesses the next fold; tells where there is none to guess.
+    fn attempts(&mut self) -> Option<FoldEnd> {
+        if self.stops.is_empty() {
+            // A first tangent: rows without a border, completed by either parameter.
+            let Some(which) = self.first.pop() else { return Some(FoldEnd::Lost) };
+            let border = times(self.sense, &axis(self.here.place.x.len() + 3, which));
+            let correction = Correction::from(&self.here, border);
+            self.attempt = Some(Attempt { guess: self.here.clone(), correction, edge: false });
+            return None;
+        }
+        if self.length <= SHORTEST {
+            return Some(FoldEnd::Lost);
+        }
+        let Self { here, tangent, sheet, length, .. } = &*self;
+        let guess = sheet.ahead(here, tangent, *length);
+        self.attempt = Some(match sheet.beyond(here, &guess) {
+            Some(end) => self.at_edge(tangent, *length, end),
+            None => Attempt { correction: Correction::from(&guess, tangent.clone()), guess, edge: false },
+        });
+        None
+    }
+
+    /// The fold on the plane's edge, which a part of a way passes.
+    fn at_edge(&self, way: &[f64], part: f64, (across, edge, share): (usize, f64, f64)) -> Attempt {
+        let mut guess = self.sheet.ahead(&self.here, way, part * share);
+        *(if across == 0 { &mut guess.place.value } else { &mut guess.other }) = edge;
         let n = self.here.place.x.len();
-        family.flow().pace(self.stops[self.stops.len() - 1].0.point.period, 1.0);
-        let plane = norm(&self.tangent[n + 1..]);
-        self.length = self.length.min(LONGEST_STEP / plane).min(LONGEST_CHANGE / norm(&self.tangent[..=n]));
-        let Some(equations) = Equations::around(family, &self.sheet, &self.here) else {
+        Attempt { correction: Correction::from(&guess, axis(n + 3, n + 1 + across)), guess, edge: true }
+    }
+
+    /// The first fold and its tangent.
+    fn begins(
+        &mut self,
+        family: &mut dyn Family,
+        equations: &Equations,
+        spot: &Spot,
+        rows: DMatrix<f64>,
+        border: &[f64],
+    ) -> Result<Option<FoldEnd>> {
+        let Some(tangent) = tangent(rows, border) else { return Ok(None) };
+        let Some((stop, size)) = stop(family, &self.sheet, spot, &equations.phase)? else {
             return Ok(Some(FoldEnd::Lost));
         };
-        while self.length > SHORTEST {
-            let Some((spot, guess, rows, edge)) = self.next(family, &equations) else {
+        self.stops.push((stop, spot.other));
+        (self.here, self.tangent, self.sheet.chart.size, self.length) = (spot.clone(), tangent, size, FIRST);
+        Ok(None)
+    }
+
+    /// The next fold, where it fits to the one before: then the curve goes on, or ends there.
+    fn arrives(
+        &mut self,
+        family: &mut dyn Family,
+        equations: &Equations,
+        attempt: Attempt,
+        spot: Spot,
+        mut rows: DMatrix<f64>,
+    ) -> Result<Option<FoldEnd>> {
+        let Attempt { guess, edge, .. } = attempt;
+        let n = self.here.place.x.len();
+        match self.sheet.beyond(&self.here, &spot) {
+            Some(_) if edge => {
                 self.length *= 0.4;
-                continue;
-            };
-            let missed = self.sheet.between(&guess, &spot);
-            let bend = norm(&missed[n + 1..]).max(0.1 * norm(&missed[..=n])).max(1e-3 * BEND);
-            let Some(tangent) = tangent(rows, &self.tangent) else {
-                self.length *= 0.4;
-                continue;
-            };
-            let factor = 0.9 * (BEND / bend).sqrt();
-            if bend > BEND || dot(&tangent, &self.tangent) < LARGEST_TURN {
-                self.length *= factor.clamp(0.2, 0.5);
-                continue;
+                return Ok(None);
             }
-            self.length *= factor.min(2.0);
-            let Some((stop, size)) = stop(family, &self.sheet, &spot, &equations.phase)? else { break };
-            let closed = !edge && self.comes_back(&stop, spot.other);
-            self.stops.push((stop, spot.other));
-            if closed {
-                return Ok(Some(FoldEnd::Closed));
+            Some(end) => {
+                let way = self.sheet.between(&self.here, &spot);
+                self.attempt = Some(self.at_edge(&way, 1.0, end));
+                return Ok(None);
             }
-            // The way is measured by the cycle's size.
-            let tangent = rescaled(&tangent, n, self.sheet.chart.size / size);
-            (self.here, self.tangent, self.sheet.chart.size) = (spot, tangent, size);
-            return Ok(edge.then_some(FoldEnd::Edge));
+            None if edge => (0..n + 3).for_each(|j| rows[(n + 2, j)] = self.tangent[j]),
+            None => {}
         }
-        Ok(Some(FoldEnd::Lost))
+        let missed = self.sheet.between(&guess, &spot);
+        let bend = norm(&missed[n + 1..]).max(0.1 * norm(&missed[..=n])).max(1e-3 * BEND);
+        let Some(tangent) = tangent(rows, &self.tangent) else {
+            self.length *= 0.4;
+            return Ok(None);
+        };
+        let factor = 0.9 * (BEND / bend).sqrt();
+        if bend > BEND || dot(&tangent, &self.tangent) < LARGEST_TURN {
+            self.length *= factor.clamp(0.2, 0.5);
+            return Ok(None);
+        }
+        self.length *= factor.min(2.0);
+        let Some((stop, size)) = stop(family, &self.sheet, &spot, &equations.phase)? else {
+            return Ok(Some(FoldEnd::Lost));
+        };
+        let closed = !edge && self.comes_back(&stop, spot.other);
+        self.stops.push((stop, spot.other));
+        if closed {
+            return Ok(Some(FoldEnd::Closed));
+        }
+        // The way is measured by the cycle's size.
+        let tangent = rescaled(&tangent, n, self.sheet.chart.size / size);
+        (self.here, self.tangent, self.sheet.chart.size) = (spot, tangent, size);
+        Ok(edge.then_some(FoldEnd::Edge))
     }
 
     /// The last cycle is less than this part of the largest.
     pub fn has_shrunk(&self, part: f64) -> bool {
         let size = |(stop, _): &(Stop, f64)| stop.chart.size;
         self.sheet.chart.size < part * self.stops.iter().map(size).fold(0.0, f64::max)
-    }
-
-    /// The fold a step ahead, where it was guessed, the derivatives there, and whether it is on the plane's edge.
-    fn next(&self, family: &mut dyn Family, equations: &Equations) -> Option<(Spot, Spot, DMatrix<f64>, bool)> {
-        let Self { here, tangent, sheet, .. } = self;
-        let mut way = tangent.clone();
-        let mut part = self.length;
-        let mut end = sheet.beyond(here, &sheet.ahead(here, &way, part));
-        if end.is_none() {
-            let guess = sheet.ahead(here, tangent, self.length);
-            let (spot, rows) = equations.correct(family, sheet, &guess, tangent)?;
-            end = sheet.beyond(here, &spot);
-            if end.is_none() {
-                return Some((spot, guess, rows, false));
-            }
-            (way, part) = (sheet.between(here, &spot), 1.0);
-        }
-        let (across, edge, share) = end?;
-        let mut guess = sheet.ahead(here, &way, part * share);
-        *(if across == 0 { &mut guess.place.value } else { &mut guess.other }) = edge;
-        let n = here.place.x.len();
-        let border = axis(n + 3, n + 1 + across);
-        let (spot, mut rows) = equations.correct(family, sheet, &guess, &border)?;
-        sheet.beyond(here, &spot).is_none().then_some(())?;
-        (0..n + 3).for_each(|j| rows[(n + 2, j)] = tangent[j]);
-        Some((spot, guess, rows, true))
     }
 
     /// Whether the first fold lies between the last and the next one.

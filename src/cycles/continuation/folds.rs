@@ -162,6 +162,12 @@ impl FoldCurves {
         Ok(())
     }
 
+    /// What its curves, or the diagram under way, have cost so far.
+    #[cfg(test)]
+    pub(super) fn work(&mut self) -> [u64; 2] {
+        [self.family.flow().work(), if let Work::Diagram(diagram) = &mut self.work { diagram.work() } else { 0 }]
+    }
+
     /// Nothing is left to do.
     pub fn done(&self) -> bool {
         matches!(self.work, Work::Next) && self.seeds.is_empty() && self.done == 2 * self.spec.seeds
@@ -229,17 +235,19 @@ impl FoldCurves {
         let size = self.family.flow().swing(&seed.spot.place.x, period)?.size;
         let chart = Chart { sign: seed.sign, size, low: x.from, high: x.to };
         let sheet = Sheet { chart, low: y.from, high: y.to };
-        match (FoldWalk::from(&mut *self.family, &sheet, &seed.spot, before.is_some())?, before) {
-            (Some(walk), before) => self.work = Work::Curve { seed, walk: Box::new(walk), before },
-            (None, Some(before)) => self.note(&before, None, false),
-            (None, None) => {}
-        }
+        let walk = Box::new(FoldWalk::from(&sheet, &seed.spot, before.is_some()));
+        self.work = Work::Curve { seed, walk, before };
         Ok(())
     }
 
     /// What is to be done where a curve ends.
     fn ends(&mut self, seed: Seed, walk: Box<FoldWalk>, before: Option<Box<FoldWalk>>, end: FoldEnd) -> Result<()> {
         match before {
+            None if walk.stops.is_empty() => Ok(()),
+            Some(before) if walk.stops.is_empty() => {
+                self.note(&before, None, false);
+                Ok(())
+            }
             None if end != FoldEnd::Closed => self.set_out(seed, Some(walk)),
             before => {
                 self.note(&walk, before.as_deref(), end == FoldEnd::Closed);

@@ -22,6 +22,8 @@ mod stop;
 mod walk;
 
 #[cfg(test)]
+mod slices;
+#[cfg(test)]
 mod tests;
 
 pub use self::{

@@ -91,61 +91,102 @@ impl Test {
     }
 }
 
-/// The special points between two neighbours on a branch, in their order.
-///
-/// # Errors
-/// A motion or a matrix that leaves the numbers.
-pub(super) fn between(
-    family: &mut dyn Family,
-    from: &Stop,
-    to: &Stop,
-    tolerance: f64,
-) -> Result<Vec<(PointKind, Stop)>> {
-    let changes = |test: Test| test.of(from) * test.of(to) < 0.0;
-    let mut found: Vec<(f64, PointKind, Stop)> = Vec::new();
-    for test in Test::ALL {
-        // Where the branch turns a multiplier is 1 for that reason.
-        if !changes(test) || (matches!(test, Test::One) && changes(Test::Turn)) {
-            continue;
-        }
-        if let Some((part, stop)) = located(family, from, to, test, tolerance)?
-            && let Some(kind) = test.kind(&stop)
-        {
-            found.push((part, kind, stop));
-        }
-    }
-    sort_few(&mut found, |a, b| a.0 < b.0);
-    Ok(found.into_iter().map(|(_, kind, stop)| (kind, stop)).collect())
+/// The search for the special points between two neighbours on a branch.
+pub(super) struct Search {
+    from: Stop,
+    to: Stop,
+    /// What has changed its sign, and is to be located.
+    tests: Vec<Test>,
+    location: Option<Location>,
+    found: Vec<(f64, PointKind, Stop)>,
 }
 
-/// Where a test is zero between two neighbours, and how far on the way: by false position, which halves where that does not
-/// come nearer.
-fn located(family: &mut dyn Family, from: &Stop, to: &Stop, test: Test, tolerance: f64) -> Result<Option<(f64, Stop)>> {
-    let chart = &from.chart;
-    let way = chart.between(&from.place, &to.place);
-    let length = norm(&way);
-    let border = direction(&way);
-    let (mut low, mut high) = ((0.0, test.of(from)), (1.0, test.of(to)));
-    let mut best: Option<(f64, Stop)> = None;
-    let mut again = None;
-    for _ in 0..MOST {
+impl Search {
+    /// Between two neighbours.
+    pub fn between(from: Stop, to: Stop) -> Self {
+        let changes = |test: Test| test.of(&from) * test.of(&to) < 0.0;
+        // Where the branch turns a multiplier is 1 for that reason.
+        let one = |test: Test| matches!(test, Test::One) && changes(Test::Turn);
+        let tests = Test::ALL.into_iter().filter(|test| changes(*test) && !one(*test)).collect();
+        Self { from, to, tests, location: None, found: Vec::new() }
+    }
+
+    /// There is nothing left to search for.
+    pub fn is_over(&self) -> bool {
+        self.tests.is_empty()
+    }
+
+    /// Comes a cycle nearer.
+    pub fn advance(&mut self, family: &mut dyn Family, tolerance: f64) {
+        let Some(test) = self.tests.last().copied() else { return };
+        let location = self.location.get_or_insert_with(|| Location::of(&self.from, &self.to, test));
+        // What leaves the numbers is no cycle.
+        match location.advance(family, &self.from, test, tolerance) {
+            Ok(false) => return,
+            Ok(true) => {
+                if let Some((part, stop)) = self.location.take().and_then(|location| location.best)
+                    && let Some(kind) = test.kind(&stop)
+                {
+                    self.found.push((part, kind, stop));
+                }
+            }
+            Err(_) => self.location = None,
+        }
+        self.tests.pop();
+    }
+
+    /// What has been found, in its order, and the neighbour beyond.
+    pub fn end(mut self) -> (Vec<(PointKind, Stop)>, Stop) {
+        sort_few(&mut self.found, |a, b| a.0 < b.0);
+        (self.found.into_iter().map(|(_, kind, stop)| (kind, stop)).collect(), self.to)
+    }
+}
+
+/// The way to where a test is zero between two neighbours: by false position, which halves where that does not come nearer.
+struct Location {
+    way: Vec<f64>,
+    /// How far on the way, and the test there.
+    low: (f64, f64),
+    high: (f64, f64),
+    best: Option<(f64, Stop)>,
+    again: Option<bool>,
+    cycles: usize,
+}
+
+impl Location {
+    fn of(from: &Stop, to: &Stop, test: Test) -> Self {
+        let way = from.chart.between(&from.place, &to.place);
+        let (low, high) = ((0.0, test.of(from)), (1.0, test.of(to)));
+        Self { way, low, high, best: None, again: None, cycles: 0 }
+    }
+
+    /// Finds the next cycle on the way; says whether it is near enough, or there is none.
+    ///
+    /// # Errors
+    /// A motion or a matrix that leaves the numbers.
+    fn advance(&mut self, family: &mut dyn Family, from: &Stop, test: Test, tolerance: f64) -> Result<bool> {
+        let Self { way, low, high, best, again, cycles } = self;
+        let (chart, length, border) = (&from.chart, norm(way), direction(way));
         let part = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
-        let Some(solved) = correct(family, chart, &chart.ahead(&from.place, &way, part), &border) else { break };
+        let Some(solved) = correct(family, chart, &chart.ahead(&from.place, way, part), &border) else {
+            return Ok(true);
+        };
         let stop = Stop::of(family, chart, solved, &border)?;
         let value = test.of(&stop);
         let moved = best.as_ref().map_or(1.0, |(before, _)| (before - part).abs());
-        best = Some((part, stop));
+        *best = Some((part, stop));
         if value == 0.0 || moved * length < tolerance || (high.0 - low.0) * length < tolerance {
-            break;
+            return Ok(true);
         }
         // An end that stays twice counts half: so the other one comes over, too.
         let rises = value * low.1 > 0.0;
-        let (moves, stays) = if rises { (&mut low, &mut high) } else { (&mut high, &mut low) };
+        let (moves, stays) = if rises { (&mut *low, &mut *high) } else { (&mut *high, &mut *low) };
         *moves = (part, value);
-        if again == Some(rises) {
+        if *again == Some(rises) {
             stays.1 *= 0.5;
         }
-        again = Some(rises);
+        *again = Some(rises);
+        *cycles += 1;
+        Ok(*cycles >= MOST)
     }
-    Ok(best)
 }

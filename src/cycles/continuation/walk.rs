@@ -3,7 +3,7 @@
 use super::{
     family::Family,
     newton::{Chart, Place, correct},
-    special::{self, PointKind},
+    special::{PointKind, Search},
     stop::{Stop, rescaled},
 };
 use crate::{
@@ -77,6 +77,8 @@ pub(super) struct Walk {
     pub stops: Vec<Stop>,
     /// Special ones among them: their kind and place in the list.
     pub special: Vec<(PointKind, usize)>,
+    /// For special ones before the next, which may be at the end of the range.
+    search: Option<(Search, bool)>,
     /// The next step.
     length: f64,
     /// The largest size and the shortest period so far.
@@ -101,7 +103,8 @@ pub(super) struct Limits {
 impl Walk {
     pub fn new(start: Stop, limits: Limits) -> Self {
         let (largest, shortest) = (start.chart.size, start.point.period);
-        Self { stops: vec![start], special: Vec::new(), length: FIRST, largest, shortest, fineness: 1.0, limits }
+        let (stops, special) = (vec![start], Vec::new());
+        Self { stops, special, search: None, length: FIRST, largest, shortest, fineness: 1.0, limits }
     }
 
     /// The other way from the same cycle.
@@ -138,6 +141,10 @@ impl Walk {
     /// Tries a step, and a shorter one the next time where that leads nowhere; tells why where there is none to take, or the
     /// last was one.
     pub fn advance(&mut self, family: &mut dyn Family) -> Option<BranchEnd> {
+        if let Some((mut search, edge)) = self.search.take() {
+            search.advance(family, self.limits.tolerance);
+            return self.searched(search, edge);
+        }
         if self.stops.len() >= self.limits.points {
             return Some(BranchEnd::Points);
         }
@@ -171,11 +178,21 @@ impl Walk {
         if (next.point.multipliers[0] - 1.0).norm() < EASY {
             self.fineness = (0.5 * self.fineness).max(1.0);
         }
-        for (kind, stop) in special::between(family, &here, &next, self.limits.tolerance).unwrap_or_default() {
+        self.searched(Search::between(here, next), fit.edge)
+    }
+
+    /// Goes on to the next cycle once there is nothing more to search for before it.
+    fn searched(&mut self, search: Search, edge: bool) -> Option<BranchEnd> {
+        if !search.is_over() {
+            self.search = Some((search, edge));
+            return None;
+        }
+        let (special, next) = search.end();
+        for (kind, stop) in special {
             self.special.push((kind, self.stops.len()));
             self.stops.push(stop);
         }
-        let end = if fit.edge { Some(BranchEnd::Range) } else { self.end(&next) };
+        let end = if edge { Some(BranchEnd::Range) } else { self.end(&next) };
         self.largest = self.largest.max(next.chart.size);
         self.shortest = self.shortest.min(next.point.period);
         self.stops.push(next);

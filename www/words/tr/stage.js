@@ -35,6 +35,7 @@ export const stage = {
   'verdict.growing': '{amplitude}, büyüyor',
   'verdict.falling': '{amplitude}, azalıyor',
   'verdict.settled': 'yerleşti',
+  'verdict.unstable': 'kararsız çevrimde: sonunu küçük bir itme belirler',
   'verdict.heads': 'hedefi {amplitude}',
   'verdict.limit': 'Bu model 29°’nin ötesinde güvenilir değil.',
 

@@ -1,9 +1,9 @@
 //! Where branches begin: at Hopf points, at a guess, and where simulations settle.
 
-use super::{Bifurcation, Birth, Origin, Task, Trip};
+use super::{Bifurcation, Birth, Origin, Probe, Task, Trip};
 use crate::{
     cycles::{
-        Guess,
+        Arrival, Guess,
         continuation::{
             CyclePoint, PointKind, SpecialPoint,
             hopf::{AtRest, Hopf},
@@ -11,7 +11,6 @@ use crate::{
             stop::Stop,
             walk::{Limits, Walk},
         },
-        settled,
         shooting::{self, Periodic},
         vector::{axis, vector},
     },
@@ -128,28 +127,46 @@ impl Bifurcation {
         }
     }
 
-    /// Looks from a start at a value for a cycle that no branch has.
-    pub(super) fn probe(&mut self, place: usize, start: usize) -> Result<()> {
+    /// The motion from a start at a value, which may lead to a cycle that no branch has.
+    pub(super) fn begin_probe(&mut self, place: usize, start: usize) -> Result<Option<Probe>> {
         let value = self.place(place);
         let rest = self.line.rest(value)?;
         // The smallest start is for what grows.
         let size = match start.checked_sub(1) {
             Some(start) => LADDER[start],
             None if rest.eigenvalues()?[0].re > 0.0 => SMALL,
-            None => return Ok(()),
+            None => return Ok(None),
         };
         let mut x = self.scaled(&rest.equilibrium);
         x[0] += size;
         if !self.vary(value, 1.0) {
-            return Ok(());
+            return Ok(None);
         }
         // A motion that leaves the numbers settles nowhere.
-        let Ok(Some((x, between))) = self.family.settled(&x, HORIZON) else { return Ok(()) };
-        self.family.flow().pace(between, 1.0);
-        if let Ok(Some(found)) = settled(self.family.flow(), &x, between) {
-            self.set_out(found, value);
+        Ok(self.family.settling(&x, HORIZON).ok().map(|motion| Probe::Settling(value, motion)))
+    }
+
+    /// Follows a motion a little further, and begins the branch through the cycle that it leads to, if it does.
+    pub(super) fn follow(&mut self, probe: Probe) -> Option<Probe> {
+        match probe {
+            Probe::Settling(value, mut motion) => {
+                if !motion.advance().ok()? {
+                    return Some(Probe::Settling(value, motion));
+                }
+                let (x, between) = motion.end().ok()??;
+                Some(Probe::Arrived(value, Arrival::at(x, between)))
+            }
+            Probe::Arrived(value, mut arrival) => {
+                self.vary(value, arrival.between);
+                if !arrival.advance(self.family.flow()).ok()? {
+                    return Some(Probe::Arrived(value, arrival));
+                }
+                if let Some(found) = arrival.best {
+                    self.set_out(found, value);
+                }
+                None
+            }
         }
-        Ok(())
     }
 
     /// Begins the branch through a cycle, unless it is known.
