@@ -42,7 +42,7 @@ const folding = (velocity, torsionAngle) => ({
   ...rolling(velocity, 10, { casterLength: -0.05, sideForceLimitAngle: 3 * degree, aligningMomentLimitAngle: 20 * degree }), initial: { torsionAngle },
 });
 /** A gear that dry friction holds at rest, however fast it rolls. @param {number} torsionAngle in rad */
-const rubbing = (torsionAngle) => ({ ...rolling(60, 20, { 'friction.moment': 200 }), initial: { torsionAngle }, knobs: ['friction.moment', 'velocity', 'dampingConstant', 'casterLength'] });
+const rubbing = (torsionAngle) => ({ ...rolling(40, 20, { 'friction.moment': 300 }), initial: { torsionAngle }, knobs: ['friction.moment', 'velocity', 'dampingConstant', 'casterLength'] });
 const damping = { knobs: ['dampingConstant', 'velocity', 'casterLength', 'freeplayAngle'] };
 const caster = { knobs: ['casterLength', 'velocity', 'dampingConstant', 'torsionalStiffness'] };
 
@@ -127,11 +127,11 @@ const stories = {
     { state: { ...folding(34, 0.3), ...branches('velocity:20:80') } },
   ],
   held: [
-    { state: rubbing(0.01) },
     { state: rubbing(0.05) },
-    { state: { ...rubbing(0.05), ...branches('velocity:20:120') }, goesOn: true },
-    { state: { ...rubbing(0.05), lens: 'cycles', views: { cycles: 'basins' } }, goesOn: true },
-    { state: { ...rubbing(0.05), ...branches('friction.moment:0:1500') }, goesOn: true },
+    { state: rubbing(0.2) },
+    { state: { ...rubbing(0.2), ...branches('velocity:20:120') }, goesOn: true },
+    { state: { ...rubbing(0.2), lens: 'cycles', views: { cycles: 'basins' } }, goesOn: true },
+    { state: { ...rubbing(0.2), ...branches('friction.moment:0:600') }, goesOn: true },
   ],
   linear: [
     { state: { ...opening, object: 'torsional-linear' } },

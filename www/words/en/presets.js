@@ -87,7 +87,7 @@ export const presets = {
 
   'preset.held': 'Held by friction, two endings',
   'preset.held.tells': 'Friction holds the wheel at rest, and a firmer twist still makes it shimmy for good.',
-  'preset.held.1': 'Without friction every swing would grow from {vBoundary} m/s on. At {v} a friction of {friction} N m stops a twist of {start}.',
+  'preset.held.1': 'Without friction every swing would grow from {vBoundary} m/s on. At {v} m/s a friction of {friction} N m stops a twist of {start}.',
   'preset.held.2': 'The same gear, a twist of {start}: now friction does not stop it, and it swings {swing} for good.',
   'preset.held.3': 'Rest holds at every speed; from {vFold} m/s on a large cycle is there, too. Between them lies an unstable one: start just inside it, just outside.',
   'preset.held.4': 'Two colors, two endings: drag the start across the edge.',
