@@ -157,3 +157,19 @@ test('small multiples draw each run in its own panel of one size, under its name
   assert.equal(new Set(corners).size, 3);
   assert.deepEqual(written(named('fillText')), ['now', 'c = 40', 'c = 60']);
 });
+
+test('dry friction has its law over the torsion rate: against the turning, whichever way it goes, with the point on it', () => {
+  const torsionRate = Float64Array.of(-80, -1e-9, 1e-9, 80);
+  const rubbed = {
+    laws: { ...forces.laws, torsionRate, frictionMoment: Float64Array.of(200, 200, -200, -200) }, limits: { ...forces.limits, torsionRate: 80, frictionMoment: 250 },
+    now: { ...forces.now, torsionRate: 40, frictionMoment: -200 }, shown: ['sideForce', 'aligningMoment', 'restoringMoment', 'frictionMoment'],
+  };
+  const { named } = drawn(rubbed);
+  const words = written(named('fillText'));
+  for (const word of [' dry friction, N m', ' torsion rate, rad/s', '−200 N m']) assert.ok(words.includes(word), word);
+  const dots = named('arc').filter(({ args }) => args[2] === 6);
+  assert.equal(dots.length, 4);
+  const curve = named('lineTo').filter(({ style }) => style.strokeStyle === theme.stable && style.lineWidth > 2 && style.dash.length === 0);
+  assert.equal(curve.at(-1)?.args[1], dots[3].args[1], 'the point is at the height of the law');
+  assert.ok(!written(drawn().named('fillText')).some((text) => /friction/.test(text)));
+});

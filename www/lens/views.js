@@ -9,7 +9,7 @@ import { viewNames } from './stability/settings.js';
  */
 export const viewsOfLens = {
   phase: ['portrait', 'deformation', 'orbit', 'spectrum', 'spectrum-log'],
-  forces: ['all', 'sideForce', 'aligningMoment', 'restoringMoment'],
+  forces: ['all', 'sideForce', 'aligningMoment', 'restoringMoment', 'frictionMoment'],
   stability: viewNames,
   cycles: cycleViews,
   compare: [],

@@ -8,7 +8,7 @@ import { decimalsFor } from '../words/number.js';
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {import('./text.js').Run} Run
  * @typedef {{
- *   symbol: string, sub?: string, dotted?: boolean, word: Key, unit: string, perSI: number, color: 'psi' | 'y' | 'force',
+ *   symbol: string, sub?: string, dotted?: boolean, word: Key, unit: string, perSI: number, color: 'psi' | 'y' | 'force' | 'stable',
  * }} Quantity `perSI`: how many of the unit make one of SI; a unit ° stands at each number, any other at the axis' name
  * @typedef {keyof typeof quantities} QuantityName
  */
@@ -23,6 +23,7 @@ export const quantities = {
   sideForce: /** @type {Quantity} */ ({ symbol: 'F', sub: 'y', word: 'forces.sideForce', unit: 'kN', perSI: 1e-3, color: 'force' }),
   aligningMoment: /** @type {Quantity} */ ({ symbol: 'M', sub: 'z', word: 'forces.aligningMoment', unit: 'N m', perSI: 1, color: 'force' }),
   restoringMoment: /** @type {Quantity} */ ({ symbol: 'M', sub: 'k', word: 'forces.restoringMoment', unit: 'kN m', perSI: 1e-3, color: 'psi' }),
+  frictionMoment: /** @type {Quantity} */ ({ symbol: 'M', sub: 'f', word: 'forces.frictionMoment', unit: 'N m', perSI: 1, color: 'stable' }),
   frequency: /** @type {Quantity} */ ({ symbol: 'f', word: 'spectrum.frequency', unit: 'Hz', perSI: 1, color: 'psi' }),
   amplitude: /** @type {Quantity} */ ({ symbol: 'ψ', word: 'spectrum.amplitude', unit: '°', perSI: degrees, color: 'psi' }),
 };

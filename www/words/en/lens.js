@@ -47,6 +47,8 @@ export const lens = {
   'phase.turn': 'Turn the orbit: drag it, or use the arrow keys',
 
   'forces.name': 'Force laws with the point where the gear is now: side force and aligning moment over slip angle, restoring moment over torsion angle.',
+  'forces.name.rubbed': 'Force laws with the point where the gear is now: side force and aligning moment over slip angle, restoring moment over torsion angle, dry friction over torsion rate.',
+  'forces.view.frictionMoment': 'Dry friction',
   'forces.view.all': 'All laws',
   'forces.view.sideForce': 'Side force',
   'forces.view.aligningMoment': 'Aligning moment',

@@ -8,6 +8,7 @@ export const plots = {
   'forces.sideForce': 'side force',
   'forces.aligningMoment': 'aligning moment',
   'forces.restoringMoment': 'restoring moment',
+  'forces.frictionMoment': 'dry friction',
 
   'plot.ghost': 'ghost: {label}',
 

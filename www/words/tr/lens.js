@@ -47,6 +47,8 @@ export const lens = {
   'phase.turn': 'Yörüngeyi çevir: sürükle ya da ok tuşlarını kullan',
 
   'forces.name': 'Kuvvet yasaları ve takımın şu anki noktası: kayma açısına karşı yanal kuvvet ve hizalama momenti, burulma açısına karşı geri çağırma momenti.',
+  'forces.name.rubbed': 'Kuvvet yasaları ve takımın şu anki noktası: kayma açısına karşı yanal kuvvet ve hizalama momenti, burulma açısına karşı geri çağırma momenti, burulma hızına karşı kuru sürtünme.',
+  'forces.view.frictionMoment': 'Kuru sürtünme',
   'forces.view.all': 'Bütün yasalar',
   'forces.view.sideForce': 'Yanal kuvvet',
   'forces.view.aligningMoment': 'Hizalama momenti',

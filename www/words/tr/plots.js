@@ -7,6 +7,7 @@ export const plots = {
   'forces.slipAngle': 'kayma açısı',
   'forces.sideForce': 'yanal kuvvet',
   'forces.aligningMoment': 'doğrultma momenti',
+  'forces.frictionMoment': 'kuru sürtünme',
   'forces.restoringMoment': 'geri çağırma momenti',
 
   'plot.ghost': 'hayalet: {label}',
