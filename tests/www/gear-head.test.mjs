@@ -54,3 +54,25 @@ test('a positive angle turns the tooth to the right, below the axis: counter-clo
     (tube(all)?.paths[0] ?? []).reduce((low, point) => (point.y > low.y ? point : low), { x: 0, y: -Infinity });
   assert.ok(lowest(marks).x > lowest(still).x);
 });
+
+test('where there is friction a shoe rubs on the tube, with its torque as an arc the way it turns the wheel', () => {
+  const rubbing = (/** @type {number} */ frictionTorque, changes = {}) => {
+    const parameters = { 'friction.moment': 200 };
+    return record(sceneOf({ psi: 0.1 }, { parameters, forces: { ...sceneOf({ psi: 0.1 }).forces, frictionTorque }, ...changes }));
+  };
+  const arcs = (/** @type {ReturnType<typeof record>} */ { marks }) => marks.filter(({ kind, color }) => kind === 'stroke' && color === theme.stable).map(({ paths }) => paths[0]);
+  const none = record(sceneOf({ psi: 0.1 }));
+  assert.deepEqual([arcs(none).length, none.texts.some(({ text }) => text === 'friction')], [0, false]);
+  const [against, along] = [rubbing(-200), rubbing(200)];
+  assert.ok(against.texts.some(({ text }) => text === 'friction'));
+  // On the left of the axis counter-clockwise is downward on the screen.
+  const fall = (/** @type {ReturnType<typeof record>} */ drawn) => {
+    const [arc] = arcs(drawn);
+    return arc[arc.length - 1].y - arc[0].y;
+  };
+  assert.ok(fall(along) > 5 && fall(against) < -5, `${fall(along)} ${fall(against)}`);
+  assert.ok(Math.abs(fall(rubbing(100))) < Math.abs(fall(along)), 'half of the torque is a shorter arc');
+  assert.equal(arcs(rubbing(0)).length, 0);
+  const fan = Array.from({ length: 16 }, (_, i) => ({ psi: 0.01 * i, y: 0 }));
+  assert.equal(arcs(rubbing(200, { fan })).length, 0, 'of many poses there is not one torque');
+});

@@ -5,6 +5,7 @@
  */
 
 import { decimalsOf, formatNumber } from '../../words/number.js';
+import { rubs } from './brake.js';
 import { fill, putLabel, writeStill } from './desk.js';
 import { DRAWN_GAP } from './head-pose.js';
 import { protractorBox } from './protractor.js';
@@ -20,6 +21,7 @@ export function writeHeadLabels(desk) {
   if (sheet.detailed) {
     writeDamper(desk);
     writeSpring(desk);
+    if (rubs(desk.scene)) writeFriction(desk);
   }
   writeGap(desk);
 }
@@ -44,6 +46,19 @@ function writeSpring(desk) {
   const style = { size: small, color: theme.psi, halo: theme.ground, farthest: 80, stays: true };
   putLabel(desk, [plain(words.spring)], style, (width, height) =>
     [-0.2, -0.1, 0, 0.1, -0.3, 0.2, 0.9, 0.95].map((share) => ({
+      x: head.x - head.radius * Math.sqrt(1 - share * share) - 8 - width,
+      y: head.y + share * head.radius - height / 2,
+    })),
+  );
+}
+
+/** Beside the shoe, below the spring's. @param {Desk} desk */
+function writeFriction(desk) {
+  const { sheet, theme, words } = desk;
+  const { head, small } = sheet;
+  const style = { size: small, color: theme.stable, halo: theme.ground, farthest: 80, stays: true };
+  putLabel(desk, [plain(words.friction)], style, (width, height) =>
+    [0.55, 0.65, 0.75, 0.45, 0.3, 0.85].map((share) => ({
       x: head.x - head.radius * Math.sqrt(1 - share * share) - 8 - width,
       y: head.y + share * head.radius - height / 2,
     })),

@@ -3,13 +3,15 @@
  *
  * The tube turns with the wheel. Its tooth sits in a slot of the collar; the spiral spring ties the
  * collar to the fixed housing. Inside the gap the tube turns alone; beyond it the tooth takes the
- * collar along, by s(ψ), and the spring winds. A damper works on a lever of the tube all the time.
+ * collar along, by s(ψ), and the spring winds. A damper works on a lever of the tube all the time;
+ * where there is dry friction a shoe rubs on the tube.
  *
  * A fan of poses is drawn part by part, a translucent layer for each pose.
  *
  * @module
  */
 
+import { drawBrake, drawBrakeTorque, rubs } from './brake.js';
 import { drawCollar, drawTube } from './collar.js';
 import { drawDamper } from './damper.js';
 import { layerOpacity } from './fan.js';
@@ -49,6 +51,12 @@ export function drawHead(ctx, sheet, scene, theme) {
   ctx.globalAlpha = opacity;
   for (const pose of poses) drawCollar(ctx, sheet, radius, pose, theme);
   for (const pose of poses) drawTube(ctx, sheet, radius, pose, theme);
+  if (rubs(scene)) {
+    ctx.globalAlpha = 1;
+    drawBrake(ctx, sheet, radius, theme);
+    // Of many poses there is not one torque.
+    if (poses.length === 1) drawBrakeTorque(ctx, sheet, radius, scene, theme);
+  }
   ctx.globalAlpha = opacity * damperStrength(scene);
   for (const { tube } of poses) drawDamper(ctx, sheet, radius, tube, theme);
   ctx.globalAlpha = 1;

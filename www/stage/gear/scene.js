@@ -31,6 +31,7 @@
  * @property {boolean} sideForceLimited whether |α| is beyond the side force's limit angle
  * @property {number} springAngle s(ψ) [rad], the part of ψ that winds the spring
  * @property {number} springTorque k·s(ψ) [N m]
+ * @property {number} [frictionTorque] of dry friction on the wheel [N m], positive counter-clockwise from above
  */
 
 /**
@@ -49,7 +50,8 @@
  *   without them stands in brackets;
  * - `velocity`: without it no speed is written;
  * - `freeplayAngle`: without it, or at 0, the slot in the steering head is closed;
- * - `torsionalStiffness`, `dampingConstant`: at 0 the spring, the damper is but a shadow.
+ * - `torsionalStiffness`, `dampingConstant`: at 0 the spring, the damper is but a shadow;
+ * - `friction.moment`: above 0 a shoe rubs on the tube.
  *
  * @typedef {Readonly<Record<string, number>>} Parameters
  */
