@@ -27,6 +27,7 @@ import { linksThatHold } from './run/links.js';
 import { slowRateFor } from './run/rate.js';
 import { Session } from './run/session.js';
 import { SwingScent } from './run/swing-scent.js';
+import { Sound } from './sound/sound.js';
 import { Store } from './store.js';
 import { figuresOf } from './story/atlas.js';
 import { leave, told } from './story/player.js';
@@ -63,6 +64,7 @@ export class App {
   /** The first seconds of a fresh page; null once a visitor has done anything. @type {OpeningAct | null} */ act = null;
   /** Whether a pen is in hand. */ isDrawing = false;
   /** What it drew. */ ink = new Ink();
+  /** The swing to be heard. */ sound = new Sound();
   /** Counts the changes that a hand has ended: each is a reason to speak. */ occasion = 0;
   /** Whether the outlook is to be looked at anew though no time has gone by. */ isLookDue = true;
   /** Called after each change of what elements show. */ onChange = () => {};

@@ -26,6 +26,7 @@ export const shortcuts = [
   { keys: ['ArrowRight'], command: 'on', word: 'step', isElementsOwn: true },
   { keys: ['r'], command: 'start', word: 'start' },
   { keys: ['k'], command: 'kick', word: 'kick' },
+  { keys: ['m'], command: 'sound', word: 'sound' },
   { keys: ['0'], command: 'fit', word: 'fit' },
   { keys: ['PageDown'], command: 'next', word: 'story', usedBy: ownPages },
   { keys: ['PageUp'], command: 'previous', word: 'story', usedBy: ownPages },

@@ -90,6 +90,8 @@ export class Loop {
     const scene = session.scene({ ...stage.wanted, exposure, duration: this.#app.duration });
     if (this.#wildValues(scene.parameters).length === 0) this.#soundScene = scene;
     this.#draw(scene, stage, theme);
+    // A wheel that stands still, in a hand or in time, is silent.
+    this.#app.sound.hear(clock.isPlaying && !session.isHeld && !this.#app.isVeiled ? scene.orbitPast : null, now);
   }
 
   /** What is shown to others besides the run: the first seconds go on, ink fades. @param {number} now in s @param {Theme} theme */

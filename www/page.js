@@ -102,7 +102,7 @@ export class Page extends LitElement {
       <main>
         <shimmy-stage .voice=${voice} .isReady=${session !== null} .isPlaying=${clock.isPlaying} .isStill=${app.isStill}
           .isHeld=${session?.isHeld ?? false} .mode=${clock.mode} .slow=${clock.slow} .isChosen=${rate.slow !== null} .step=${clock.step}
-          .quantities=${quantities} .ghostCount=${app.state.ghosts.length} .views=${views} .failure=${app.failure} .isVeiled=${isVeiled}
+          .quantities=${quantities} .ghostCount=${app.state.ghosts.length} .isHeard=${app.sound.isOn} .views=${views} .failure=${app.failure} .isVeiled=${isVeiled}
           .isBig=${isBig} .eigenmode=${isVeiled ? null : modeOnGear(app.state)}></shimmy-stage>
         <section class="lens" aria-label=${voice.say('lens.name')}>
           ${predict && app.notes.length === 0 ? html`<shimmy-prediction .voice=${voice} .predict=${predict}

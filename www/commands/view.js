@@ -23,6 +23,14 @@ export function viewCommands(app) {
     closeNotes: () => {
       app.notes = [];
     },
+    /** What is heard is told when it is first heard. */
+    sound: () => {
+      const { sound, voice } = app;
+      const isFirst = !sound.wasOn;
+      sound.toggle();
+      if (sound.failure) app.notes = [{ text: voice.say('sound.failed', { reason: sound.failure }), isAlert: true }];
+      else if (isFirst) app.notes = [{ text: voice.say('sound.heard'), isAlert: false }];
+    },
     /** @param {import('../store.js').State['language']} language */
     language: (language) => store.update({ language }),
     /** @param {import('../store.js').State['theme']} theme */

@@ -35,6 +35,7 @@ export class Stage extends LitElement {
     slow: { attribute: false },
     quantities: { attribute: false },
     ghostCount: { attribute: false },
+    isHeard: { attribute: false },
     views: { attribute: false },
     eigenmode: { attribute: false },
     step: { attribute: false },
@@ -65,6 +66,7 @@ export class Stage extends LitElement {
     /** Whether a hand has chosen the slow rate. */ this.isChosen = false;
     /** @type {import('../controls/quantity.js').Quantity[]} */ this.quantities = [];
     this.ghostCount = 0;
+    /** Whether the swing is to be heard. */ this.isHeard = false;
     /** What the timeline shows, among others. @type {Readonly<Record<string, string>>} */ this.views = {};
     /** The mode that moves as a ghost on the gear, by its name; null where none does. @type {string | null} */ this.eigenmode = null;
     this.step = 0.001;
@@ -97,7 +99,7 @@ export class Stage extends LitElement {
       </div>
       <shimmy-transport role="group" aria-label=${voice.say('clock.name')} .voice=${voice} .isPlaying=${this.isPlaying} .isReady=${this.isReady}
         .isStill=${this.isStill} .mode=${this.mode} .slow=${this.slow} .isChosen=${this.isChosen} .frequency=${this.frequency}
-        .beat=${this.#beat} .kickImpulse=${kickImpulse} .ghostCount=${this.ghostCount}></shimmy-transport>
+        .beat=${this.#beat} .kickImpulse=${kickImpulse} .ghostCount=${this.ghostCount} .isHeard=${this.isHeard}></shimmy-transport>
       <shimmy-timeline .voice=${voice} .time=${this.time} .angle=${angle} .step=${this.step}
         .shown=${this.views.timeline ?? ''} .quantities=${this.quantities} .isVeiled=${this.isVeiled}></shimmy-timeline>`;
   }

@@ -25,6 +25,7 @@ export class Transport extends LitElement {
     beat: { attribute: false },
     kickImpulse: { attribute: false },
     ghostCount: { attribute: false },
+    isHeard: { attribute: false },
   };
 
   #observer = new ResizeObserver(() => this.#fit());
@@ -45,6 +46,7 @@ export class Transport extends LitElement {
     /** What the strobe can lock to, in Hz. @type {number | null} */ this.beat = null;
     this.kickImpulse = 0;
     this.ghostCount = 0;
+    /** Whether the swing is to be heard. */ this.isHeard = false;
   }
 
   createRenderRoot() {
@@ -88,6 +90,11 @@ export class Transport extends LitElement {
       <button type="button" class="${leads} step on" aria-label=${voice.say('clock.on')} ?disabled=${!isReady} @click=${this.#press('on')}><span>${voice.say('clock.step')}</span> ▸</button>
       <shimmy-rate .voice=${voice} .isStill=${this.isStill} .mode=${this.mode} .slow=${this.slow} .isChosen=${this.isChosen}
         .frequency=${this.frequency} .beat=${this.beat}></shimmy-rate>
+      <button type="button" class="framed icon sound" title="${voice.say('sound.does')} (M)" aria-label=${voice.say('sound.hear')} aria-pressed=${this.isHeard ? 'true' : 'false'} ?disabled=${!isReady} @click=${this.#press('sound')}>
+        <svg viewBox="0 0 16 16" width="18" height="18" aria-hidden="true"><path d="M1 5.5h2.6L7.5 2v12L3.6 10.5H1z" />${this.isHeard
+          ? svg`<path class="waves" d="M9.8 5.6a3.4 3.4 0 0 1 0 4.8M12 3.4a6.5 6.5 0 0 1 0 9.2" />`
+          : svg`<path class="waves" d="M10 5.8l4.4 4.4M14.4 5.8l-4.4 4.4" />`}</svg>
+      </button>
       <button type="button" class="framed kick" title=${voice.say('clock.kick.does', { impulse: this.kickImpulse })} ?disabled=${!isReady} @click=${this.#press('kick')}>${voice.say('clock.kick')}</button>
       ${this.#pin(voice)}`;
   }

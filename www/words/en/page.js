@@ -22,6 +22,8 @@ export const page = {
   'key.start.does': 'back to the start',
   'key.kick': 'K',
   'key.kick.does': 'kick the wheel',
+  'key.sound': 'M',
+  'key.sound.does': 'hear the swing, or be silent',
   'key.fit': '0',
   'key.fit.does': 'fit the plots',
   'key.story': 'PgUp/Dn',

@@ -69,6 +69,11 @@ export const stage = {
   'clock.still.short': 'less motion: slow only',
   'clock.kick': 'Kick',
   'clock.kick.does': 'Kick the wheel: a blow of {impulse} N m s about its steering axis',
+  'sound.hear': 'Hear it',
+  'sound.does': 'Hear the swing at its true beat, however slowly it is shown',
+  'sound.heard': 'You hear the wheel’s angular acceleration at its true beat, however slowly it is shown; the wider it swings, the louder. Overtones are added, so that small loudspeakers carry it.',
+  'sound.failed': 'This browser gives no sound: {reason}',
+
   'clock.pin': 'Pin ghost',
   'clock.pin.does': 'Keep this run as it is, beside the one you change',
   'clock.pin.full': '{count} ghosts are on the sheet, and it takes no more. Let one go first, in the lens Compare.',

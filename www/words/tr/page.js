@@ -22,6 +22,8 @@ export const page = {
   'key.start.does': 'başa dön',
   'key.kick': 'K',
   'key.kick.does': 'tekerleğe vur',
+  'key.sound': 'M',
+  'key.sound.does': 'salınımı duy ya da sustur',
   'key.fit': '0',
   'key.fit.does': 'grafikleri sığdır',
   'key.story': 'PgUp/Dn',

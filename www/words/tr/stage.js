@@ -69,6 +69,11 @@ export const stage = {
   'clock.still.short': 'yalnız yavaş',
   'clock.kick': 'Vur',
   'clock.kick.does': 'Tekerleğe vur: dümenleme ekseni etrafında {impulse} N m s’lik darbe',
+  'sound.hear': 'Dinle',
+  'sound.does': 'Ne kadar yavaş gösterilirse gösterilsin, salınımı gerçek vuruşuyla duy',
+  'sound.heard': 'Duyulan, tekerleğin açısal ivmesidir: ne kadar yavaş gösterilirse gösterilsin gerçek vuruşuyla; ne kadar geniş sallanırsa o kadar gür. Küçük hoparlörler de duyursun diye üst tonlar eklenmiştir.',
+  'sound.failed': 'Bu tarayıcı ses vermiyor: {reason}',
+
   'clock.pin': 'Hayalet sabitle',
   'clock.pin.does': 'Bu çalışmayı olduğu gibi, değiştirdiğinin yanında tut',
   'clock.pin.full': 'Çizimde {count} hayalet var, daha fazlası sığmaz. Önce Karşılaştırma merceğinde birini bırak.',
