@@ -5,6 +5,9 @@ import { test } from 'node:test';
 import { Loci } from '../../www/lens/stability/loci.js';
 import { RootsLimits } from '../../www/lens/stability/roots-limits.js';
 import { RootsWalk, crossingBetween } from '../../www/lens/stability/roots-walk.js';
+import { becomes, becomesBriefly, becomesInSigns, becomesInTheory, lineInTheory } from '../../www/lens/stability/say.js';
+import { linearLooks } from '../../www/run/linear-looks.js';
+import { modeLabel } from '../../www/stage/ghost-label.js';
 import { drawComplexPlane } from '../../www/view/complex-plane.js';
 import { drawRootLocus } from '../../www/view/root-locus.js';
 import { pathsOf, pathsThrough } from '../../www/view/root-paths.js';
@@ -12,6 +15,7 @@ import { drawRoots } from '../../www/view/roots.js';
 import { voiceOf } from '../../www/words/voice.js';
 import { criticalSpeeds, cubicOf, rootsOf, usual } from './linear-gear.mjs';
 import { recordingContext, written } from './plot-recorder.mjs';
+import { engine } from './stories.mjs';
 import { theme } from './theme.mjs';
 
 const voice = voiceOf('en');
@@ -264,4 +268,17 @@ test('where the ends of loci crowd, their names stand in a column, each with a l
   const leaders = named('lineTo').filter(({ args }) => names.some(({ args: [, x, y] }) => Math.abs(args[0] - x + 0.2 * large.size) < 1e-9 && Math.abs(args[1] - y) < 1e-9));
   assert.equal(leaders.length, 6);
   assert.equal(dots.length, 6);
+});
+
+test('what linear theory leaves out of a gear is said with whatever it says', () => {
+  const english = voiceOf('en');
+  const left = (/** @type {Record<string, number>} */ parameters) => linearLooks(engine, { model: 'torsional', parameters: { velocity: 40, dampingConstant: 20, ...parameters } }).leavesOut;
+  assert.deepEqual([left({}), left({ freeplayAngle: 0.01 }), left({ 'friction.moment': 100 }), left({ freeplayAngle: 0.01, 'friction.moment': 100 })], [null, 'gap', 'friction', 'both']);
+  const roots = [{ re: 12.3, im: 320 }, { re: 12.3, im: -320 }];
+  assert.equal(becomesInTheory(roots, 'friction', english), `${becomes(roots, english)} (linear theory, without friction)`);
+  assert.equal(becomesInTheory(roots, null, english), becomes(roots, english));
+  assert.equal(becomesBriefly(roots, 'both', english)[0], `${becomes(roots, english)} (linear theory, inside the gap, without friction)`);
+  assert.equal(becomesInSigns(roots, 'friction', english), 'linear theory: +12.3 s⁻¹');
+  assert.equal(lineInTheory('Press a case.', 'friction', voiceOf('tr')), 'Sürtünmesiz doğrusal kuram. Press a case.');
+  assert.equal(modeLabel({ ...linearLooks(engine, { model: 'torsional', parameters: {} }).modes()[0], eigenvalue: roots[0] }, 'friction', english), 'mode 50.9 Hz (linear theory, without friction)');
 });

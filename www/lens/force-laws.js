@@ -1,3 +1,4 @@
+import { frictionParameter } from '../run/linear-looks.js';
 import { drawForces } from '../view/forces.js';
 import { roundLimit } from '../view/scale.js';
 
@@ -15,7 +16,7 @@ const beyondKink = 1.5;
 const slow = 1e-9;
 
 /** Whether anything rubs in the gear. @param {{ parameters: Readonly<Record<string, number>> }} gear */
-export const isRubbed = ({ parameters }) => (parameters['friction.moment'] ?? 0) > 0;
+export const isRubbed = ({ parameters }) => (parameters[frictionParameter] ?? 0) > 0;
 
 /** The laws of the tire, of the spring and of the friction, with the gear as a point on each: for the lens *Forces*, and wherever a law is seen. */
 export class ForceLaws {

@@ -54,6 +54,11 @@ export class StabilityLens extends PlotLens {
     return this.scene?.linear.isGapped ?? false;
   }
 
+  /** What of this gear linear theory leaves out. */
+  get leavesOut() {
+    return this.scene?.linear.leavesOut ?? null;
+  }
+
   /** A parameter of this gear. @param {string} name */
   quantity(name) {
     return this.quantities.find((one) => one.name === name);
@@ -84,7 +89,7 @@ export class StabilityLens extends PlotLens {
 
   /** What stays true however far the walk goes on, so without a number. @param {readonly import('../view/root-paths.js').Root[]} roots @param {Voice} voice */
   #becomes(roots, voice) {
-    return inTheory(voice.say(isStable(roots) ? 'roots.falls' : 'roots.grows'), this.isGapped, voice);
+    return inTheory(voice.say(isStable(roots) ? 'roots.falls' : 'roots.grows'), this.leavesOut, voice);
   }
 
   /** @param {Map<string, unknown>} changed */
@@ -96,7 +101,7 @@ export class StabilityLens extends PlotLens {
 
   /** @param {Scene} scene @param {Theme} theme */
   draw(scene, theme) {
-    const wasGapped = this.isGapped;
+    const left = this.leavesOut;
     this.scene = scene;
     this.theme = theme;
     const { voice } = this;
@@ -105,7 +110,7 @@ export class StabilityLens extends PlotLens {
     if (followed === 'crossed' && crossing && voice)
       this.said = voice.say('roots.said', { crossing: crossingInWords(crossing, voice), what: this.#becomes(roots, voice) });
     else if (followed === 'changed' && !crossing) this.said = '';
-    if (wasGapped !== this.isGapped) this.requestUpdate();
+    if (left !== this.leavesOut) this.requestUpdate();
     if (this.quantities.length > 1) this.#shown.draw(scene);
   }
 }

@@ -23,6 +23,18 @@ const drawn = 1e-4;
 const tiny = 1e-12;
 
 /**
+ * What of a gear linear theory leaves out: the spring outside of the gap, dry friction, or both.
+ *
+ * @typedef {'gap' | 'friction' | 'both' | null} LeftOut
+ */
+
+/** Dry friction, as the engine names it. */
+export const frictionParameter = 'friction.moment';
+
+/** @param {boolean} isGapped @param {boolean} isRubbed @returns {LeftOut} */
+export const leftOut = (isGapped, isRubbed) => (isGapped ? (isRubbed ? 'both' : 'gap') : isRubbed ? 'friction' : null);
+
+/**
  * @param {Engine} engine
  * @param {{ model: string, parameters: Readonly<Record<string, number>> }} gear
  * @param {() => Readonly<Record<string, number>>} [start] the state that its run starts from
@@ -32,7 +44,8 @@ export function linearLooks(engine, { model, parameters }, start = () => ({})) {
     /** Half of the gap: where it is not 0, a swing that has left it is not what linear theory speaks of. */
     isGapped: (parameters.freeplayAngle ?? 0) > 0,
     /** Dry friction, of which linear theory does not speak. */
-    isRubbed: (parameters['friction.moment'] ?? 0) > 0,
+    isRubbed: (parameters[frictionParameter] ?? 0) > 0,
+    leavesOut: leftOut((parameters.freeplayAngle ?? 0) > 0, (parameters[frictionParameter] ?? 0) > 0),
     /**
      * By falling real part, of a pair the positive imaginary part first.
      * @param {Readonly<Record<string, number>>} [values] that are others

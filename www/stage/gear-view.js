@@ -220,7 +220,7 @@ export class GearView extends LitElement {
     const { voice } = this;
     const ghost = this.#modes.look(scene, name);
     if (!ghost || !voice) return null;
-    return { ...ghost, isMode: true, label: modeLabel(ghost.mode, scene.linear.isGapped, voice) };
+    return { ...ghost, isMode: true, label: modeLabel(ghost.mode, scene.linear.leavesOut, voice) };
   }
 
   /** Lays the wheel for the keyboard over the drawn one, and the magnification over the foot of the top view. */

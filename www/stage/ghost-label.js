@@ -33,10 +33,10 @@ export function ghostLabel(values, others, quantities, voice) {
 /**
  * What tells which mode a ghost is: "mode 53.8 Hz".
  * @param {import('../run/linear-looks.js').Mode} mode
- * @param {boolean} isGapped whether linear theory speaks of a swing inside the gap alone
+ * @param {import('../run/linear-looks.js').LeftOut} leavesOut what linear theory does not speak of
  * @param {Voice} voice
  */
-export function modeLabel({ eigenvalue: { re, im } }, isGapped, voice) {
+export function modeLabel({ eigenvalue: { re, im } }, leavesOut, voice) {
   const what = im > 0 ? voice.say('modes.ghost', { frequency: voice.number(im / (2 * Math.PI), 1) }) : voice.say('modes.ghost.real', { rate: voice.number(re, 1) });
-  return isGapped ? voice.say('stability.linear', { what }) : what;
+  return leavesOut ? voice.say(`stability.linear.${leavesOut}`, { what }) : what;
 }

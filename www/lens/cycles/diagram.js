@@ -10,12 +10,10 @@
  * @typedef {import('./branches.js').Height} Height
  */
 
+import { frictionParameter } from '../../run/linear-looks.js';
 import { trusted } from '../../run/trusted.js';
 import { decimalsFor } from '../../words/number.js';
 import { heightsOf, turnsOf } from './branches.js';
-
-/** Dry friction, as the engine names it. */
-const frictionParameter = 'friction.moment';
 
 /**
  * Rest along the foot of a diagram. Of rest the engine says what linear theory does, which leaves friction out: a wheel that it

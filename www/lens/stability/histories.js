@@ -98,9 +98,9 @@ export class LinearAndNonlinear extends Panel {
   #readings(voice) {
     const roots = this.ask((linear) => linear.eigenvalues()) ?? [];
     if (roots.length === 0) return [voice.say('stability.none')];
-    const what = becomesInTheory(roots, this.isGapped, voice);
+    const what = becomesInTheory(roots, this.leavesOut, voice);
     const times = doubling(roots[0].re, voice);
-    return [`${what} · ${times}`, what, inTheory(times, this.isGapped, voice)];
+    return [`${what} · ${times}`, what, inTheory(times, this.leavesOut, voice)];
   }
 
   /** @param {Voice} voice */

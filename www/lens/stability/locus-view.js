@@ -6,7 +6,7 @@ import { drawRootLocus } from '../../view/root-locus.js';
 import { locusChoices } from './locus-choices.js';
 import { Loci } from './loci.js';
 import { RangeFields } from './range-fields.js';
-import { lowerName, plainSymbol, shortNumber } from './say.js';
+import { lineInTheory, lowerName, plainSymbol, shortNumber } from './say.js';
 import { locusOf, thesisLocus, writeLocus } from './settings.js';
 import { strangersNote, strangersOf } from './strangers.js';
 
@@ -47,7 +47,7 @@ export class LocusView {
   line(voice) {
     const swept = this.#lens.quantity(this.#locus.sweep.parameter);
     const line = swept ? voice.say('locus.line', { sweep: lowerName(swept, voice) }) : '';
-    return html`<p>${this.#lens.isGapped ? voice.say('locus.line.gap', { line }) : line}</p>`;
+    return html`<p>${lineInTheory(line, this.#lens.leavesOut, voice)}</p>`;
   }
 
   stale() {

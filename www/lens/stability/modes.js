@@ -40,7 +40,7 @@ export class Modes extends Panel {
               <input type="radio" name="mode" .checked=${one === chosen} @change=${() => tell(this, 'view', { of: 'mode', shows: one.name })} />
               <span>${rootInWords(one.mode, voice)}</span>
             </label>`)}
-          ${this.isGapped ? html`<span class="theory">${voice.say('panel.theory')}</span>` : ''}
+          ${this.leavesOut ? html`<span class="theory">${voice.say(this.leavesOut === 'gap' ? 'panel.theory' : 'panel.theory.frictionless')}</span>` : ''}
         </fieldset>
         <div class="phasors"><shimmy-canvas .label=${voice.say('modes.phasors', { states })} .paint=${this.#paint}></shimmy-canvas></div>
         <dl class="mode-facts">${facts(mode, voice)}</dl>

@@ -1,4 +1,5 @@
 import { html, unsafeStatic } from 'lit/static-html.js';
+import { lineInTheory } from './say.js';
 
 /**
  * A view that is an element of its own, a panel.js, called `shimmy-<name>`: it draws itself when the gear has changed. The line
@@ -30,7 +31,7 @@ export const panelView = (name) => class {
     // Of what is hidden nothing is said, and nothing to press.
     if (this.#lens.isVeiled) return html`<p></p>`;
     const line = voice.say(/** @type {import('../../words/voice.js').Key} */ (`panel.line.${name}`));
-    return html`<p>${this.#lens.isGapped ? voice.say('panel.gapped', { line }) : line}</p>`;
+    return html`<p>${lineInTheory(line, this.#lens.leavesOut, voice)}</p>`;
   }
 
   /** A panel draws itself. */

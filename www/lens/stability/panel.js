@@ -73,6 +73,11 @@ export class Panel extends LitElement {
     return this.scene?.linear.isGapped ?? false;
   }
 
+  /** What of this gear linear theory leaves out. */
+  get leavesOut() {
+    return this.scene?.linear.leavesOut ?? null;
+  }
+
   /** Gives the gear values, which are undone together. @param {Record<string, number>} values in SI */
   put(values) {
     tell(this, 'point', { values, gesture: null });

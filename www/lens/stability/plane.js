@@ -1,5 +1,6 @@
 import { LitElement, html } from 'lit';
 import { tell } from '../../command.js';
+import { frictionParameter, leftOut } from '../../run/linear-looks.js';
 import { isSameList } from '../../store.js';
 import '../../view/canvas.js';
 import { drawStabilityMap, frameOfMap, gapParameter, isNarrowMap, placesOfMap } from '../../view/stability-map.js';
@@ -194,8 +195,10 @@ export class Plane extends LitElement {
     }
     const gap = this.#gapSide;
     const isGapped = gap ? (gap.parameter === plane.x.parameter ? point.x : point.y) > 0 : linear.isGapped;
-    const briefly = gap && !isGapped ? [voice.say('stability.linear.engaged', { what: becomes(roots, voice) })] : becomesBriefly(roots, isGapped, voice);
-    return [...[briefly[0], becomesInSigns(roots, isGapped, voice)].map((what) => voice.say('stability.reading', { x, y, what })), ...briefly];
+    const rubbing = [[plane.x, point.x], [plane.y, point.y]].find(([axis]) => /** @type {typeof plane.x} */ (axis).parameter === frictionParameter);
+    const leavesOut = leftOut(isGapped, rubbing ? Number(rubbing[1]) > 0 : linear.isRubbed);
+    const briefly = gap && !leavesOut ? [voice.say('stability.linear.engaged', { what: becomes(roots, voice) })] : becomesBriefly(roots, leavesOut, voice);
+    return [...[briefly[0], becomesInSigns(roots, leavesOut, voice)].map((what) => voice.say('stability.reading', { x, y, what })), ...briefly];
   }
 
   /** @param {PointerEvent} event */

@@ -4,7 +4,7 @@ import { drawLinearHistory } from '../../view/linear-history.js';
 import { pathsOf } from '../../view/root-paths.js';
 import { drawRoots } from '../../view/roots.js';
 import { RootsLimits } from './roots-limits.js';
-import { crossingInWords, doubling, doublingInSigns, pairInNumbers, pairReadings } from './say.js';
+import { crossingInWords, doubling, doublingInSigns, inTheory, pairInNumbers, pairReadings } from './say.js';
 import { smallSwing } from './small-swing.js';
 
 /**
@@ -77,7 +77,8 @@ export class RootsAndSwing {
     if (!this.#swing) return [''];
     const what = doubling(this.#swing.growthRate, voice);
     const brief = doublingInSigns(this.#swing.growthRate, voice);
-    return this.#lens.isGapped ? [voice.say('stability.linear', { what }), what, brief] : [what, brief];
+    const whole = inTheory(what, this.#lens.leavesOut, voice);
+    return whole === what ? [what, brief] : [whole, what, brief];
   }
 
   /** @type {Paint} */

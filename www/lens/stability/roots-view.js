@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import { RootsAndSwing } from './roots-and-swing.js';
+import { lineInTheory } from './say.js';
 
 /** @typedef {import('./views.js').View} View */
 
@@ -21,7 +22,8 @@ export class RootsView {
 
   /** @type {View['line']} */
   line(voice) {
-    return html`<p>${this.#lens.isGapped ? voice.say('roots.line.gap') : voice.say('roots.line')}</p>`;
+    const { leavesOut } = this.#lens;
+    return html`<p>${leavesOut === 'gap' ? voice.say('roots.line.gap') : lineInTheory(voice.say('roots.line'), leavesOut, voice)}</p>`;
   }
 
   stale() {

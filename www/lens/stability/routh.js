@@ -41,7 +41,7 @@ export class Routh extends Panel {
   #verdict({ stable, unstableRoots, neutralRoots }, voice) {
     const what = stable ? voice.say('routh.stable')
       : unstableRoots > 0 ? voice.say('routh.unstable', { count: unstableRoots }) : voice.say('routh.neutral', { count: neutralRoots });
-    return html`<div role="status"><h2 class=${stable ? '' : 'is-unstable'}>${inTheory(what, this.isGapped, voice)}</h2></div>`;
+    return html`<div role="status"><h2 class=${stable ? '' : 'is-unstable'}>${inTheory(what, this.leavesOut, voice)}</h2></div>`;
   }
 
   /** Where the gear is on the boundary, for a press. @param {Voice} voice */

@@ -2,6 +2,7 @@
  * What linear theory says, in words.
  *
  * @typedef {import('../../controls/quantity.js').Quantity} Quantity
+ * @typedef {import('../../run/linear-looks.js').LeftOut} LeftOut
  * @typedef {import('../../run/linear-looks.js').Range} Range
  * @typedef {import('../../view/root-paths.js').Root} Root
  * @typedef {import('../../words/voice.js').Voice} Voice
@@ -33,30 +34,35 @@ export function becomes(roots, voice) {
   return voice.say(leading.re > 0 ? 'stability.grows' : 'stability.falls', { rate, frequency: voice.number(leading.im / circle, 1) });
 }
 
-/** The same, and that it is linear theory where the gear is not linear even for a small swing. @param {readonly Root[]} roots @param {boolean} isGapped @param {Voice} voice */
-export function becomesInTheory(roots, isGapped, voice) {
-  return inTheory(becomes(roots, voice), isGapped, voice);
+/** The same, and that it is linear theory where the gear is not linear even for a small swing. @param {readonly Root[]} roots @param {LeftOut} leavesOut @param {Voice} voice */
+export function becomesInTheory(roots, leavesOut, voice) {
+  return inTheory(becomes(roots, voice), leavesOut, voice);
 }
 
-/** Whatever is said, and that it is linear theory inside the gap, where there is one. @param {string} what @param {boolean} isGapped @param {Voice} voice */
-export function inTheory(what, isGapped, voice) {
-  return isGapped ? voice.say('stability.linear', { what }) : what;
+/** Whatever is said, and that it is linear theory, which leaves out what is there. @param {string} what @param {LeftOut} leavesOut @param {Voice} voice */
+export function inTheory(what, leavesOut, voice) {
+  return leavesOut ? voice.say(`stability.linear.${leavesOut}`, { what }) : what;
 }
 
-/** The same in signs instead of words, for where there is little room. @param {readonly Root[]} roots @param {boolean} isGapped @param {Voice} voice */
-export function becomesInSigns(roots, isGapped, voice) {
+/** A line under a view, and of what it does not speak. @param {string} line @param {LeftOut} leavesOut @param {Voice} voice */
+export function lineInTheory(line, leavesOut, voice) {
+  return leavesOut ? voice.say(`panel.${leavesOut}`, { line }) : line;
+}
+
+/** The same in signs instead of words, for where there is little room. @param {readonly Root[]} roots @param {LeftOut} leavesOut @param {Voice} voice */
+export function becomesInSigns(roots, leavesOut, voice) {
   const [leading] = roots;
   if (!leading) return voice.say('stability.none');
   const rate = signed(leading.re, voice);
-  if (isGapped) return voice.say('stability.linear.short', { rate });
+  if (leavesOut) return voice.say('stability.linear.short', { rate });
   return leading.im === 0 ? `${rate} ${voice.say('stability.perSecond')}` : voice.say('stability.signed', { rate, frequency: voice.number(leading.im / circle, 1) });
 }
 
-/** The same in fewer and fewer words: that it is linear theory goes last. @param {readonly Root[]} roots @param {boolean} isGapped @param {Voice} voice */
-export function becomesBriefly(roots, isGapped, voice) {
+/** The same in fewer and fewer words: that it is linear theory goes last. @param {readonly Root[]} roots @param {LeftOut} leavesOut @param {Voice} voice */
+export function becomesBriefly(roots, leavesOut, voice) {
   if (roots.length === 0) return [becomes(roots, voice)];
-  const [whole, signs] = [becomesInTheory(roots, isGapped, voice), becomesInSigns(roots, isGapped, voice)];
-  if (!isGapped) return [whole, signs, `${signed(roots[0].re, voice)} ${voice.say('stability.perSecond')}`];
+  const [whole, signs] = [becomesInTheory(roots, leavesOut, voice), becomesInSigns(roots, leavesOut, voice)];
+  if (!leavesOut) return [whole, signs, `${signed(roots[0].re, voice)} ${voice.say('stability.perSecond')}`];
   return [whole, voice.say('stability.linear.brief', { what: becomes(roots, voice) }), signs, voice.say('panel.theory')];
 }
 
