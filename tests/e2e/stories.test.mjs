@@ -53,7 +53,7 @@ test('a figure is found by its number and opened by Enter, in English and in Tur
   assert.match(await page.locator('shimmy-strip').innerText(), /Limit cycle, v.=.30.m\/s, c.=.10.N.m.s\/rad, ψ\(0\).=.0\.01/);
   assert.equal(await knob(page, 'velocity').number.inputValue(), '30.0');
   assert.equal(await knob(page, 'dampingConstant').number.inputValue(), '10.0');
-  await page.waitForURL(/view\.phase=orbit&story=figure-5\.88a$/);
+  await page.waitForURL(/view\.cycleOrbit=space&story=figure-5\.88a$/);
   await leave();
 
   const other = await site.open('', { locale: 'tr-TR' });

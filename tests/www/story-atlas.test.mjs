@@ -22,6 +22,11 @@ const isOurs = (id) => {
   const [, chapter, number] = id.match(/^Figure (\d)\.(\d+)/)?.map(Number) ?? [];
   return (chapter === 5 && number >= 59) || (chapter === 6 && number <= 24);
 };
+/** Whether it is of cycles or of the gap, 5.87 … 6.24: then it opens in the lens Cycles. @param {string} id */
+const isCycle = (id) => {
+  const [, chapter, number] = id.match(/^Figure (\d)\.(\d+)/)?.map(Number) ?? [];
+  return chapter === 6 ? number <= 24 : chapter === 5 && number >= 87;
+};
 const ours = figures.filter(({ entry }) => entry && isOurs(entry.id));
 
 /** Linear theory: figures 5.5 … 5.58 and tables 5.1 … 5.7. @param {string} id */
@@ -44,7 +49,7 @@ test('the atlas is whole: 283 figures and tables, 153 motions and laws, 61 of li
 
 test('each of them can be opened where its lens is there; nothing that needs more can', () => {
   const has = (/** @type {string} */ lens) => lenses.some(({ name, ready }) => name === lens && ready);
-  for (const { name, entry, isReady } of ours) assert.equal(isReady, entry?.view === 'freeplay-law' ? has('forces') : true, name);
+  for (const { name, entry, isReady } of ours) assert.equal(isReady, isCycle(entry?.id ?? '') ? has('cycles') : true, name);
   for (const { name, isReady } of theory) assert.equal(isReady, name === 'table-5.1' || has('stability'), name);
   for (const { name, isReady } of tabled) assert.equal(isReady, has('cycles'), name);
   for (const { entry, isReady, name } of figures) if (![...ours, ...theory, ...tabled].some((one) => one.name === name)) assert.ok(!isReady, `${name} ${entry?.view}`);
@@ -154,9 +159,11 @@ test('each opens with the object, values and start of its figure, seen as the fi
     assert.deepEqual(parameters, { ...Object.fromEntries(usual.map((one) => [one.name, one.default])), ...entry.run.parameters }, name);
     assert.deepEqual(run, { initial: entry.run.initial }, name);
     assert.deepEqual(story, { name, step: 0 });
-    assert.equal(lens, isLinear ? 'stability' : 'phase');
-    const history = { timeline: entry.show?.[0], ...(isLinear ? { stability: 'histories', histories: entry.show?.[0] } : {}) };
-    const shown = { 'time-history': history, 'phase-2d': { phase: 'portrait' }, 'phase-3d': { phase: 'orbit' } }[entry.view];
+    assert.equal(lens, isLinear ? 'stability' : isCycle(entry.id) ? 'cycles' : 'phase');
+    const over = number === 87 || (number >= 100 && number <= 105) ? 'dampingConstant:0:100,torsionAngle' : 'velocity:1:120,torsionAngle';
+    const beside = isLinear ? { stability: 'histories', histories: entry.show?.[0] } : !isCycle(entry.id) ? {} : entry.id.startsWith('Figure 6') ? { cycles: 'freeplay' } : { cycles: 'branch', branch: over };
+    const cycle = (/** @type {string} */ cycleOrbit) => ({ cycles: 'cycle', cycleOrbit });
+    const shown = { 'time-history': { timeline: entry.show?.[0], ...beside }, 'phase-2d': cycle('portrait'), 'phase-3d': cycle('space') }[entry.view];
     assert.deepEqual(views, shown, name);
     assert.deepEqual(links, { relaxationLength: true, treadWidthMomentConstant: true }, name);
     const { from, to } = sessionOf(app).scene({ moment: [-0.08, 0.02], trackLength: 1.2, stretches: 60, exposure: 0, duration: app.duration }).run;
@@ -214,4 +221,18 @@ test('titles read as a person would write them', () => {
 test('a title that is not known stays as the atlas has it', () => {
   const entry = { id: 'Figure 9.9', title: 'a new thing, v = 3 m/s', view: 'other' };
   assert.equal(figureTitle(entry, turkish), entry.title);
+});
+
+test('every figure of cycles and of the gap, 5.87 to 6.24, opens in the lens Cycles, and its link opens the same', () => {
+  const app = openedApp();
+  const cycles = ours.filter(({ entry }) => entry && isCycle(entry.id));
+  assert.equal(cycles.length, 125);
+  for (const { name, entry } of cycles) {
+    app.run('open', name);
+    assert.equal(app.state.lens, 'cycles', name);
+    if (entry?.view === 'freeplay-law') assert.deepEqual(app.state.views, { cycles: 'freeplay', gapBelow: 'law' });
+    const { views, parameters, story } = app.state;
+    const again = openedApp(app.link);
+    assert.deepEqual([again.notes, again.state.lens, again.state.views, again.state.parameters, again.state.story], [[], 'cycles', views, parameters, story], name);
+  }
 });

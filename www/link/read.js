@@ -15,7 +15,7 @@
  */
 
 import { isVelocityUnit } from '../controls/unit.js';
-import { gapParameter, isOrbit, readBranch } from '../lens/cycles/settings.js';
+import { gapBelowOf, gapParameter, isOrbit, readBranch } from '../lens/cycles/settings.js';
 import { tableNumbers } from '../lens/cycles/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
@@ -209,6 +209,7 @@ const viewed = {
   histories: isHistories,
   casesSort: isSorting,
   cycleOrbit: isOrbit,
+  gapBelow: (value) => gapBelowOf(value) === value,
   gapMap: (value, { parameters }) => value !== gapParameter && parameters.some(({ name }) => name === value),
   branchSweep: (value) => value === 'on' || value === 'off',
   cycleTable: (value) => tableNumbers.includes(value),

@@ -21,19 +21,34 @@ const known = ['model', 'parameters', 'initial', 'duration'];
  * @type {Readonly<Record<string, (entry: AtlasEntry) => Pick<Setting, 'lens' | 'views' | 'drawer'> | undefined>>}
  */
 const looks = {
-  'time-history': ({ show, run }) => {
+  'time-history': ({ id, show, run }) => {
     const state = show?.[0] ?? 'torsionAngle';
+    const cycles = besideCycles(id);
+    if (cycles) return { lens: 'cycles', views: { ...cycles, timeline: state } };
     // What linear theory says is seen beside the gear in full.
     const isLinear = run?.model === 'torsional-linear';
     return isLinear ? { lens: 'stability', views: linearViews(state) } : { lens: 'phase', views: { timeline: state } };
   },
-  'phase-2d': () => ({ lens: 'phase', views: { phase: 'portrait' } }),
-  'phase-3d': () => ({ lens: 'phase', views: { phase: 'orbit' } }),
-  'freeplay-law': () => ({ lens: 'forces', views: { forces: 'restoringMoment' } }),
+  'phase-2d': () => ({ lens: 'cycles', views: { cycles: 'cycle', cycleOrbit: 'portrait' } }),
+  'phase-3d': () => ({ lens: 'cycles', views: { cycles: 'cycle', cycleOrbit: 'space' } }),
+  'freeplay-law': () => ({ lens: 'cycles', views: { cycles: 'freeplay', gapBelow: 'law' } }),
   'root-locus': () => ({ lens: 'stability', views: { stability: 'locus', locus: thesisLocus } }),
   'stability-map': ({ map }) => ({ lens: 'stability', views: { stability: 'plane', plane: writePlane({ x: map?.x, y: map?.y, coloring: 'stable' }) } }),
   table: ({ id }) => tables[id.split(' ')[1]],
 };
+
+/**
+ * What stands beside the time histories of cycles and of what has none, which the timeline shows: the branch over what their
+ * figures vary, the map over the gap. Undefined for others.
+ * @param {string} id @returns {Record<string, string> | undefined}
+ */
+function besideCycles(id) {
+  const [, chapter, number] = id.match(/^Figure (\d)\.(\d+)/)?.map(Number) ?? [];
+  if (chapter === 6) return { cycles: 'freeplay' };
+  if (chapter !== 5 || number < 87) return undefined;
+  const isOverDamping = number === 87 || (number >= 100 && number <= 105);
+  return { cycles: 'branch', branch: isOverDamping ? 'dampingConstant:0:100,torsionAngle' : 'velocity:1:120,torsionAngle' };
+}
 
 /** @param {string} state @returns {Record<string, string>} */
 const linearViews = (state) => ({ stability: 'histories', histories: state, timeline: state });

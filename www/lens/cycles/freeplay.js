@@ -10,6 +10,7 @@ import { numberedLines } from '../../view/map-sheet.js';
 import { roundLimit } from '../../view/scale.js';
 import { drawSwingMap, placesOfSwingMap } from '../../view/swing-map.js';
 import { decimalsFor } from '../../words/number.js';
+import { ForceLaws } from '../force-laws.js';
 import { parameterOption } from '../stability/option.js';
 import { lowerName, plainSymbol, rangeInWords } from '../stability/say.js';
 import { BesideWork } from './beside-work.js';
@@ -17,7 +18,7 @@ import { highest, slopeOfSmall } from './branches.js';
 import { lineOf, restOf } from './diagram.js';
 import { CyclePanel } from './panel.js';
 import { PlaneHand } from './plane-hand.js';
-import { gapParameter, gapRanges } from './settings.js';
+import { gapBelowOf, gapBelows, gapParameter, gapRanges } from './settings.js';
 import { SwingPlane } from './swing-plane.js';
 
 /**
@@ -40,6 +41,7 @@ export class Freeplay extends CyclePanel {
   #plane = new SwingPlane((spec, options) => runJob('bifurcation', spec, options));
   /** @type {BesideWork<import('../../pkg/shimmy.js').BifurcationSpec, import('../../pkg/shimmy.js').Bifurcation>} */
   #work = new BesideWork((spec, options) => runJob('bifurcation', spec, options));
+  #laws = new ForceLaws();
   #image = document.createElement('canvas');
   /** What the image was made from. @type {unknown[]} */ #imageOf = [];
   /** @type {Pick<import('../../view/map-sheet.js').MapSheet, 'lines' | 'numbers'> | null} */ #sheet = null;
@@ -112,6 +114,7 @@ export class Freeplay extends CyclePanel {
     const { amplitudes, isOld, share } = this.#plane;
     this.redrawWhere('.gap-map shimmy-canvas', [...always, amplitudes, isOld, share, this.#hover, x, y]);
     this.redrawWhere('.gap-branch', [...always, this.#work.result, this.#work.isOld, this.#work.isFailed, this.cycle, y, this.scene?.outlook.present.amplitude]);
+    /** @type {import('../../view/canvas.js').Canvas | null} */ (this.querySelector('.gap-law'))?.redraw();
     const { ring } = this.#hand;
     const handle = /** @type {HTMLElement | null} */ (this.querySelector('.plane-point'));
     if (ring && handle) Object.assign(handle.style, { left: `${ring.x.toFixed(1)}px`, top: `${ring.y.toFixed(1)}px` });
@@ -128,6 +131,7 @@ export class Freeplay extends CyclePanel {
     const sides = this.#sides;
     if (!sides) return html`<p class="panel-empty">${voice.say('gap.foreign')}</p>`;
     const { x, y } = sides;
+    const below = gapBelowOf(this.settings.gapBelow ?? '');
     const does = voice.say('stability.point.does', { across: lowerName(x.quantity, voice), up: lowerName(y.quantity, voice) });
     return html`
       <div class="gap">
@@ -136,6 +140,10 @@ export class Freeplay extends CyclePanel {
           <select class="framed" aria-label=${voice.say('stability.across')} .value=${x.parameter}
             @change=${(/** @type {Event} */ event) => tell(this, 'view', { of: 'gapMap', shows: /** @type {HTMLSelectElement} */ (event.target).value })}>
             ${this.quantities.filter(({ name }) => name !== gapParameter).map((one) => parameterOption(one, x.parameter, voice))}
+          </select>
+          <select class="framed" aria-label=${voice.say('gap.below')} title=${voice.say('gap.below')} .value=${below}
+            @change=${(/** @type {Event} */ event) => this.choose('gapBelow', /** @type {HTMLSelectElement} */ (event.target).value)}>
+            ${gapBelows.map((one) => html`<option value=${one} ?selected=${one === below}>${voice.say(`gap.below.${one}`)}</option>`)}
           </select>
         </div>
         <div class="gap-map hand-plane">
@@ -146,7 +154,8 @@ export class Freeplay extends CyclePanel {
             @pointerdown=${this.#hand.grab} @pointermove=${this.#hand.drag} @pointerup=${this.#hand.release} @pointercancel=${this.#hand.release}
             @lostpointercapture=${this.#hand.release} @keydown=${this.#hand.key}></div>
         </div>
-        ${this.isVeiled ? this.veil(voice) : html`<shimmy-canvas class="gap-branch" .label=${voice.say('gap.branch')} .paint=${this.#paintBranch}></shimmy-canvas>`}
+        ${below === 'law' ? html`<shimmy-canvas class="gap-below gap-law" .label=${voice.say('gap.law')} .paint=${this.#paintLaw}></shimmy-canvas>`
+          : this.isVeiled ? this.veil(voice) : html`<shimmy-canvas class="gap-below gap-branch" .label=${voice.say('gap.branch')} .paint=${this.#paintBranch}></shimmy-canvas>`}
       </div>`;
   }
 
@@ -224,6 +233,12 @@ export class Freeplay extends CyclePanel {
       cursor: null, isOld: isOld && diagram !== null, veiled: false,
       message: isFailed ? voice.say('stability.none') : diagram === null ? voice.say('branch.computing') : diagram.cycles.length === 0 && !isOld ? voice.say('branch.none') : '',
     }, theme, voice);
+  };
+
+  /** The law moves with the gear, and tells nothing of what comes. @type {import('../../view/canvas.js').Paint} */
+  #paintLaw = (context, size) => {
+    const { voice, theme, scene } = this;
+    if (voice && theme && scene) this.#laws.paint(context, size, { scene, shown: ['restoringMoment'] }, theme, voice);
   };
 
   /** @param {number} x in SI @param {number} y @param {string | null} gesture */

@@ -6,6 +6,7 @@
  *     view.branch=velocity:1:120,torsionAngle      what varies, and what stands upward
  *     view.branchSweep=on              whether a simulated sweep lies over it
  *     view.gapMap=dampingConstant      what is to the right of the gap
+ *     view.gapBelow=law                what is beneath the map: the branch over the gap, or the spring's law with the gap in it
  *     view.cycleTable=5.12             which table
  *     view.cycleTableSort=…,down       by which column it is sorted; view.methodsSort likewise
  */
@@ -70,6 +71,12 @@ export function readBranch(text, parameters) {
 
 /** @param {Branch} branch */
 export const writeBranch = ({ range, height }) => `${writeRange(range)},${height}`;
+
+/** What can be beneath the map over the gap. */
+export const gapBelows = /** @type {const} */ (['branch', 'law']);
+
+/** @param {string} text @returns {typeof gapBelows[number]} */
+export const gapBelowOf = (text) => gapBelows.find((one) => one === text) ?? gapBelows[0];
 
 /** The gap, as the engine names it. */
 export const gapParameter = 'freeplayAngle';

@@ -85,6 +85,10 @@ export const cycles = {
   'gap.map': 'Map of how widely the gear swings in the end: {x} to the right, {y} upward.',
   'gap.map.veiled': 'Map of swings: {x} to the right, {y} upward. Hidden until you have guessed.',
   'gap.branch': 'Amplitude of the cycles over the gap.',
+  'gap.law': 'The spring’s law with the gap in it: its moment over the torsion angle, with the gear as it is now.',
+  'gap.below': 'What is beneath the map',
+  'gap.below.branch': 'Branch over the gap',
+  'gap.below.law': 'Law of the gap',
   'gap.rests': 'dies out',
 
   'basins.name': 'Basins: which motion a start ends in, torsion rate over torsion angle, with the motion of the gear. The list below says what the colors are.',

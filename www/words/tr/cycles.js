@@ -85,6 +85,10 @@ export const cycles = {
   'gap.map': 'Takımın sonunda ne kadar geniş salındığının haritası: sağa doğru {x}, yukarı doğru {y}.',
   'gap.map.veiled': 'Salınım haritası: sağa doğru {x}, yukarı doğru {y}. Tahmin edene kadar gizli.',
   'gap.branch': 'Boşluk üzerinde çevrimlerin genliği.',
+  'gap.law': 'İçinde boşluk olan yayın yasası: burulma açısına karşı momenti, takımın şu anki noktasıyla.',
+  'gap.below': 'Haritanın altındaki',
+  'gap.below.branch': 'Boşluk üzerinde dal',
+  'gap.below.law': 'Boşluğun yasası',
   'gap.rests': 'sönüyor',
 
   'basins.name': 'Çekim havzaları: burulma açısına karşı burulma hızında her başlangıcın vardığı hareket, takımın hareketiyle birlikte. Renklerin anlamı alttaki listede.',
