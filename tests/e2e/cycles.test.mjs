@@ -153,8 +153,21 @@ test('over its basins the start is dragged from one ending to another', async ()
   await page.mouse.move(box.x + box.width * 0.55, box.y + box.height * 0.5, { steps: 6 });
   await page.mouse.up();
   await untilVerdict(page, 'It dies out');
+  // That is where the run starts now: no change on record, and the start in the link.
+  await page.waitForURL((url) => /initial\.torsionAngle=0\.0\d+/.test(url.hash) && !/do=/.test(url.hash));
   await page.keyboard.press('Control+z');
   await untilVerdict(page, 'It shimmies');
+  assert.equal(await page.getByRole('slider', { name: 'Where the run starts' }).getAttribute('aria-valuetext'), '17.19°, 0.0 rad/s');
+  await leave();
+});
+
+test('where every start ends alike a gear with two endings is offered, and one undo takes it back', async () => {
+  const { page, leave } = await opened('&view.cycles=basins');
+  await page.getByRole('button', { name: 'Show a gear with two endings' }).click({ timeout: 15_000 });
+  await untilSaid(page, '.endings', /dies out.*shimmies, ±16/s);
+  assert.equal(await knob(page, 'velocity').number.inputValue(), '40.0');
+  await page.keyboard.press('Control+z');
+  assert.equal(await knob(page, 'velocity').number.inputValue(), '80.0');
   await leave();
 });
 

@@ -3,9 +3,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { colorsOfEndings, endingInWords, spread, swingsOn } from '../../www/lens/cycles/endings.js';
+import { twoEndings } from '../../www/story/presets.js';
 import { drawBasins, placesOfBasins } from '../../www/view/basins.js';
 import { voiceOf } from '../../www/words/voice.js';
-import { opened } from './opened-session.mjs';
+import { opened, wanted } from './opened-session.mjs';
 import { recordingContext, written } from './plot-recorder.mjs';
 import { engine } from './stories.mjs';
 import { theme } from './theme.mjs';
@@ -70,14 +71,36 @@ test('the plane has the colors, a hatch where it swings on, the motion and the s
   assert.deepEqual(hidden.named('arc').map(({ args: [x] }) => x).toSorted(), named('arc').map(({ args: [x] }) => x).toSorted());
 });
 
-test('a start that is dragged is one step of undo', () => {
+test('a start that is dragged is where the run starts, with all its drags one step of undo; the drawing keeps its scale meanwhile', () => {
   const { store, session } = opened();
   session.advance(0.1);
-  const before = session.recipe;
-  for (const torsionAngle of [0.1, 0.2, 0.3]) session.setMotion({}, { torsionAngle, torsionRate: 5, lateralDeformation: 0 }, 'plane drag 1');
+  session.pin();
+  session.advance(0.1);
+  const [before, { run, ghosts }, { scales }] = [session.recipe, store.state, session];
+  for (const torsionAngle of [0.1, 0.15, 0.2]) {
+    session.startFrom({ torsionAngle, torsionRate: 5 }, 'plane drag 1');
+    assert.deepEqual([session.time, session.scene(wanted).start, session.scales], [0, { torsionAngle, torsionRate: 5 }, scales]);
+    session.advance(0.02);
+  }
   session.settle();
-  const now = session.recipe;
-  assert.deepEqual(now.changes, [{ time: before.time, state: { torsionAngle: 0.3, torsionRate: 5, lateralDeformation: 0 } }]);
+  assert.deepEqual(store.state.run, { initial: { torsionAngle: 0.2, torsionRate: 5 } });
+  assert.deepEqual(session.recipe.changes, []);
+  assert.deepEqual(store.state.ghosts.map(({ from, initial }) => [from, initial]), [[0, ghosts[0].initial]], 'a ghost begins with it, from its own start');
   store.undo();
-  assert.deepEqual(session.recipe, before);
+  assert.deepEqual([session.recipe, store.state.run, store.state.ghosts], [before, run, ghosts]);
+  store.redo();
+  assert.deepEqual(session.scene(wanted).start, { torsionAngle: 0.2, torsionRate: 5 });
+  // A swing that would leave the scale takes it along.
+  session.scales = { ...session.scales, magnification: 50 };
+  session.startFrom({ torsionAngle: 0.3 }, 'plane drag 2');
+  assert.ok(session.scales.magnification < 50);
+});
+
+test('the gear that is offered for its two endings has two', () => {
+  const { endings } = engine.basins({
+    model: 'torsional', parameters: { ...twoEndings.parameters },
+    x: { state: 'torsionAngle', from: -0.4, to: 0.4, count: 24 }, y: { state: 'torsionRate', from: -120, to: 120, count: 16 },
+  });
+  assert.deepEqual(endings.map(({ kind }) => kind), ['rest', 'shimmy']);
+  assert.ok(endings.every(({ cells }) => cells > 0.03 * 24 * 16), 'either is seen');
 });

@@ -1,6 +1,6 @@
 /** What takes the run elsewhere: a hand on the wheel lets go of it first. */
 export const handsOff = new Set([
-  'on', 'back', 'seek', 'start', 'kick', 'rest', 'motion', 'undo', 'redo', 'resetAll', 'pin', 'open', 'next', 'previous', 'comeBack', 'object',
+  'on', 'back', 'seek', 'start', 'kick', 'rest', 'motion', 'startFrom', 'undo', 'redo', 'resetAll', 'pin', 'open', 'next', 'previous', 'comeBack', 'object',
 ]);
 
 /**

@@ -26,6 +26,15 @@ export function controlCommands(app) {
       app.session?.setMotion(values, state, gesture);
       if (gesture === null) app.settled();
     },
+    /**
+     * Begins the run anew from another start.
+     * @param {{ state: Record<string, number>, gesture?: string | null }} start in SI; a gesture goes on until `settle`
+     */
+    startFrom: ({ state, gesture = null }) => {
+      app.notes = [];
+      app.session?.startFrom(state, gesture);
+      if (gesture === null) app.settled();
+    },
     /** @param {import('../controls/unit.js').VelocityUnit} velocityUnit */
     velocityUnit: (velocityUnit) => app.store.update({ velocityUnit }),
   };

@@ -59,6 +59,11 @@ export class LiveRun {
     }
   }
 
+  /** The state that it started from, by name; zeros are left out. */
+  get initial() {
+    return this.#start.initial;
+  }
+
   get time() {
     return this.#simulator.time;
   }

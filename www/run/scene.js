@@ -60,6 +60,7 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, lookout, s
   const model = { model: object, parameters };
   return {
     object, time, state, parameters,
+    start: live.initial,
     // Another object once another run was begun.
     begun: /** @type {object} */ (live),
     forces: engine.forces(model, state),

@@ -121,6 +121,18 @@ export class Session {
   }
 
   /**
+   * The run anew from another start; ghosts from theirs. While a hand drags it the scales stay, as long as they serve.
+   * @param {Record<string, number>} initial
+   * @param {string | null} [gesture] what is undone together
+   */
+  startFrom(initial, gesture = null) {
+    const { scales } = this;
+    const { ghosts } = this.#store.state;
+    this.#store.update({ run: { initial }, ...(ghosts.length > 0 && { ghosts: ghosts.map((ghost) => ({ ...ghost, from: 0 })) }) }, gesture, this.#place);
+    if (gesture !== null && !isTooWide(scales, swingOf(this.#live, this.#lookout).angle, this.#chosenMagnification)) this.scales = scales;
+  }
+
+  /**
    * Lets model time go by.
    * @param {number} seconds
    */

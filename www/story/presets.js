@@ -41,6 +41,8 @@ const softAndAhead = { casterLength: -0.5, torsionalStiffness: 50_000 };
 const folding = (velocity, torsionAngle) => ({
   ...rolling(velocity, 10, { casterLength: -0.05, sideForceLimitAngle: 3 * degree, aligningMomentLimitAngle: 20 * degree }), initial: { torsionAngle },
 });
+/** A gear with two endings: from near rest it dies out, from farther it shimmies. */
+export const twoEndings = folding(40, 0.3);
 /** A gear that dry friction holds at rest, however fast it rolls. @param {number} torsionAngle in rad */
 const rubbing = (torsionAngle) => ({ ...rolling(40, 20, { 'friction.moment': 300 }), initial: { torsionAngle }, knobs: ['friction.moment', 'velocity', 'dampingConstant', 'casterLength'] });
 const damping = { knobs: ['dampingConstant', 'velocity', 'casterLength', 'freeplayAngle'] };
@@ -122,8 +124,8 @@ const stories = {
   ],
   folded: [
     { state: { ...folding(40, 0.05), ...branches('velocity:20:80') } },
-    { state: { ...folding(40, 0.3), ...branches('velocity:20:80') } },
-    { state: { ...folding(40, 0.3), ...branches('velocity:20:80', { branchSweep: 'on' }) }, goesOn: true },
+    { state: { ...twoEndings, ...branches('velocity:20:80') } },
+    { state: { ...twoEndings, ...branches('velocity:20:80', { branchSweep: 'on' }) }, goesOn: true },
     { state: { ...folding(34, 0.3), ...branches('velocity:20:80') } },
   ],
   held: [

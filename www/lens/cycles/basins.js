@@ -3,6 +3,7 @@ import { tell } from '../../command.js';
 import { runJob } from '../../engine/workers.js';
 import { limitsFor } from '../../run/fit.js';
 import { isSameList } from '../../store.js';
+import { twoEndings } from '../../story/presets.js';
 import { drawBasins, frameOfBasins, placesOfBasins } from '../../view/basins.js';
 import '../../view/canvas.js';
 import { cellAt } from '../../view/field.js';
@@ -22,22 +23,23 @@ import { PlaneHand } from './plane-hand.js';
 
 const [columns, rows] = [144, 96];
 /** The plane is so much wider than the cycle, and no wider than the model is trusted, in rad. */
-const [beyond, widest] = [1.6, 0.6];
+const [beyond, widest] = [1.3, 0.6];
 /** Of a gear without a cycle, in rad and Hz. */
 const usual = { angle: 0.2, frequency: 50 };
+/** Digits of a start that a hand chooses. */
+const digits = 4;
 /** What an arrow key adds, as a share of the plane. */
 const step = 0.01;
 
 /**
  * Basins: which motion a start ends in, over torsion angle and torsion rate, the tire undeformed. A hand drags the start over them
- * and the run goes on from there. Commands: `motion` with the start.
+ * and the run begins anew from there. Commands: `startFrom` with the start, `point` with the values of a gear with two endings.
  */
 export class Basins extends CyclePanel {
   static properties = { ...CyclePanel.properties, spoken: { state: true } };
 
   /** @type {BesideWork<Spec, Result>} */
   #work = new BesideWork((spec, options) => runJob('basins', spec, options), { isSlow: true });
-  /** Where the run was last put by a hand, in rad and rad/s. @type {{ x: number, y: number } | null} */ #start = null;
   #image = document.createElement('canvas');
   /** @type {unknown[]} */ #imageOf = [];
   /** Which ending each cell has. @type {Uint8Array} */ #cells = new Uint8Array();
@@ -45,11 +47,11 @@ export class Basins extends CyclePanel {
   /** @type {unknown[]} */ #hatchOf = [];
   /** The plane holds while values change and it still serves. @type {{ object: string, limits: { angle: number, rate: number } } | null} */ #held = null;
   #hand = new PlaneHand({
-    places: () => this.#places, point: () => this.#start ?? { x: 0, y: 0 },
+    places: () => this.#places, point: () => this.#start,
     put: (x, y, gesture) => this.#put(x, y, gesture),
     step: (across, up, factor) => {
       const { limits } = this.#held ?? {};
-      const { x, y } = this.#start ?? { x: 0, y: 0 };
+      const { x, y } = this.#start;
       if (limits) this.#put(x + across * factor * step * limits.angle, y + up * factor * step * limits.rate, 'start keys');
     },
     settle: () => tell(this, 'settle'),
@@ -76,10 +78,15 @@ export class Basins extends CyclePanel {
     return size && this.theme && this.#held ? placesOfBasins(size, this.theme, this.#held.limits) : null;
   }
 
+  /** Where the run started, in rad and rad/s. */
+  get #start() {
+    const { torsionAngle: x = 0, torsionRate: y = 0 } = this.scene?.start ?? {};
+    return { x, y };
+  }
+
   /** @param {Scene} scene @param {import('../../style/theme.js').Theme} theme */
   draw(scene, theme) {
     super.draw(scene, theme);
-    this.#start ??= { x: scene.state[0], y: scene.state[1] };
     this.#hold(scene);
     const { limits } = this.#held ?? {};
     if (limits && !this.isVeiled) {
@@ -129,7 +136,7 @@ export class Basins extends CyclePanel {
           <shimmy-canvas .label=${voice.say(isVeiled ? 'basins.name.veiled' : 'basins.name')} .paint=${this.#paint}
             @pointerdown=${this.#hand.press} @pointermove=${this.#hand.move} @pointerup=${this.#hand.lift} @pointercancel=${this.#hand.lift}></shimmy-canvas>
           <div class="plane-point" role="slider" tabindex="0" aria-label=${voice.say('basins.start')} aria-description=${voice.say('basins.start.does')} title=${voice.say('basins.start.does')}
-            aria-valuenow=${this.#start?.x ?? 0} aria-valuetext=${this.spoken}
+            aria-valuenow=${this.#start.x} aria-valuetext=${this.spoken}
             @pointerdown=${this.#hand.grab} @pointermove=${this.#hand.drag} @pointerup=${this.#hand.release} @pointercancel=${this.#hand.release}
             @lostpointercapture=${this.#hand.release} @keydown=${this.#hand.key}></div>
         </div>
@@ -137,6 +144,7 @@ export class Basins extends CyclePanel {
           <ul class="endings" aria-label=${voice.say('basins.endings')}>${result && theme ? result.endings.map((ending, i) => html`
             <li><span class="swatch ${swingsOn(ending) ? 'swings' : ''}" style="background-color: ${colors[i]}"></span>${endingInWords(ending, voice)} <span class="of">${voice.say('basins.share', { share: shareOf(ending.cells / Math.max(1, known), voice) })}</span></li>`)
             : html`<li>${this.#work.isFailed ? voice.say('stability.none') : voice.say('basins.computing')}</li>`}
+            ${this.#offersTwo ? html`<li class="of">${voice.say('basins.one')} <button type="button" class="framed" @click=${this.#showTwo}>${voice.say('basins.two')}</button></li>` : nothing}
             ${this.#work.isGoing && result ? html`<li class="of">${voice.say('basins.progress', { share: voice.number(100 * this.#work.fraction, 0) })}
               <button type="button" class="plain" @click=${() => this.#work.cancel()}>${voice.say('basins.cancel')}</button></li>` : nothing}
           </ul>`}
@@ -145,7 +153,7 @@ export class Basins extends CyclePanel {
 
   /** @param {Voice} voice */
   #startInWords(voice) {
-    const { x, y } = this.#start ?? { x: 0, y: 0 };
+    const { x, y } = this.#start;
     return `${valueOf(shown.torsionAngle, x, 2, voice)}, ${valueOf(shown.torsionRate, y, 1, voice)}`;
   }
 
@@ -184,13 +192,21 @@ export class Basins extends CyclePanel {
     this.#hatch = hatchOf(frame, (across, up) => swings[cellAt(field, across, up)] ?? false, theme);
   }
 
-  /** The run goes on from a start. @param {number} x in rad @param {number} y in rad/s @param {string | null} gesture */
+  /** Whether all starts end alike, though this object has gears where they do not. */
+  get #offersTwo() {
+    const { result, isGoing, isOld } = this.#work;
+    return result?.endings.length === 1 && !isGoing && !isOld && Object.keys(twoEndings.parameters).every((name) => this.quantity(name));
+  }
+
+  /** All values of such a gear, which one undo takes back. */
+  #showTwo = () => this.put({ ...Object.fromEntries(this.quantities.map(({ name, parameter }) => [name, parameter.default])), ...twoEndings.parameters });
+
+  /** The run begins anew from a start. @param {number} x in rad @param {number} y in rad/s @param {string | null} gesture */
   #put(x, y, gesture) {
     const { limits } = this.#held ?? {};
     if (!limits) return;
-    const within = (/** @type {number} */ value, /** @type {number} */ limit) => Math.min(Math.max(value, -limit), limit);
-    this.#start = { x: within(x, limits.angle), y: within(y, limits.rate) };
-    tell(this, 'motion', { values: {}, state: { torsionAngle: this.#start.x, torsionRate: this.#start.y, lateralDeformation: 0 }, gesture });
+    const within = (/** @type {number} */ value, /** @type {number} */ limit) => Number(Math.min(Math.max(value, -limit), limit).toPrecision(digits));
+    tell(this, 'startFrom', { state: { torsionAngle: within(x, limits.angle), torsionRate: within(y, limits.rate) }, gesture });
   }
 }
 
