@@ -20,8 +20,8 @@ pub(crate) const GAUSS: [(f64, f64); 5] = [
 /// A step is at most this part of the time looked at: quadrature holds whatever the tolerance.
 const STEPS: f64 = 16.0;
 
-/// Energy that went through the steering motion over a time \[J\]: `tire` = `damper` + `tread_width` + `friction` + `stored`,
-/// up to the error of the integration.
+/// Energy that went through the steering motion over a time \[J\]: `tire` = `damper` + `tread_width` + `friction` + `fitted` +
+/// `stored`, up to the error of the integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energy {
     /// The time \[s\].
@@ -34,6 +34,8 @@ pub struct Energy {
     pub tread_width: f64,
     /// ∫M_f|ψ̇| dt: what dry friction takes.
     pub friction: f64,
+    /// ∫M_dψ̇ dt: what a damper on the gear takes, for good or to be given back: its spring and its hysteresis store some.
+    pub fitted: f64,
     /// By how much ½I_zψ̇² has risen.
     pub kinetic: f64,
     /// By how much ½k s(ψ)² has risen.
@@ -57,11 +59,13 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Opti
         step(&mut motion, duration, posed.run.max_steps())?;
         let (start, length) = (motion.step_start(), motion.time() - motion.step_start());
         for (place, weight) in GAUSS {
-            let Power { tire, damper, tread_width, friction } = laws.power(&motion.interpolate(start + place * length));
+            let Power { tire, damper, tread_width, friction, fitted } =
+                laws.power(&motion.interpolate(start + place * length));
             energy.tire += weight * length * tire;
             energy.damper += weight * length * damper;
             energy.tread_width += weight * length * tread_width;
             energy.friction += weight * length * friction;
+            energy.fitted += weight * length * fitted;
         }
     }
     let end = laws.stored(motion.state());
@@ -69,7 +73,7 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>) -> Result<Opti
     energy.stored = energy.kinetic + energy.spring;
     Error::unless_finite(
         "the energy",
-        &[energy.tire, energy.damper, energy.tread_width, energy.friction, energy.stored],
+        &[energy.tire, energy.damper, energy.tread_width, energy.friction, energy.fitted, energy.stored],
     )?;
     Ok(Some(energy))
 }

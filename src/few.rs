@@ -1,4 +1,4 @@
-//! Sorting a handful.
+//! Handling a handful.
 
 /// Sorts by what is before what; equals keep their order. The standard library's sort is made for many, and costs more than
 /// a kilobyte of the module.
@@ -11,6 +11,11 @@ pub(crate) fn sort_few<T>(values: &mut [T], before: impl Fn(&T, &T) -> bool) {
             values.swap(i, i + 1);
         }
     }
+}
+
+/// The values in an array of their own, and `rest` where it has room for more.
+pub(crate) fn padded<const N: usize>(values: &[f64], rest: f64) -> [f64; N] {
+    std::array::from_fn(|i| values.get(i).copied().unwrap_or(rest))
 }
 
 #[cfg(test)]

@@ -78,7 +78,8 @@ pub(crate) fn of<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, spec: &Section
     let duration = posed.run.duration();
     posed.check_step_count(duration)?;
     let mut motion = posed.motion(duration / STEPS)?;
-    let mut section = Section { time: Vec::new(), states: vec![Vec::new(); N], amplitude: Vec::new() };
+    let mut section =
+        Section { time: Vec::new(), states: vec![Vec::new(); posed.system.width()], amplitude: Vec::new() };
     let mut reach = 0.0_f64;
     while motion.time() < duration {
         if motion.stats().steps >= posed.run.max_steps() {

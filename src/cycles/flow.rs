@@ -6,6 +6,7 @@ use super::{
 };
 use crate::{
     error::Result,
+    few::padded,
     integrate::{Failure, Integrator, Method, Outcome, Scheme, Tolerance, failed},
     live::Columns,
     model::{Gear, System},
@@ -67,20 +68,21 @@ pub(super) struct Carrier<S, const N: usize> {
     motion: Integrator<S, N>,
     /// Relative tolerance, where nothing finer is asked for.
     relative: f64,
-    scale: [f64; N],
+    scale: Vec<f64>,
     most_steps: u64,
     #[cfg(test)]
     with_neighbours: u64,
 }
 
-fn tolerance<const N: usize>(relative: f64, scale: &[f64; N]) -> Tolerance<N> {
-    Tolerance { relative, absolute: scale.map(|scale| relative / 100.0 * scale) }
+fn tolerance<const N: usize>(relative: f64, scale: &[f64]) -> Tolerance<N> {
+    Tolerance::of(relative, &vector(scale.len(), &|i| relative / 100.0 * scale[i]))
 }
 
 impl<S: Gear<N>, const N: usize> Carrier<S, N> {
     /// The gear of a run.
     pub fn of(posed: &Posed<S, N>, period: f64) -> Result<Self> {
-        let scale = std::array::from_fn(|i| posed.tables.description.state[i].scale);
+        let states = posed.tables.description.state;
+        let scale = vector(states.len(), &|i| states[i].scale);
         let (method, most_steps) = (posed.run.method(), posed.run.max_steps().min(MOST_STEPS));
         Self::new(posed.system.clone(), method, posed.run.rtol().min(RTOL), scale, period, most_steps)
     }
@@ -92,7 +94,7 @@ impl<S: System<N>, const N: usize> Carrier<S, N> {
         system: S,
         method: Method,
         relative: f64,
-        scale: [f64; N],
+        scale: Vec<f64>,
         period: f64,
         most_steps: u64,
     ) -> Result<Self> {
@@ -123,20 +125,25 @@ impl<S: System<N>, const N: usize> Carrier<S, N> {
     }
 
     fn start(&mut self, x: &[f64]) -> std::result::Result<(), Failure> {
-        self.motion.restart(0.0, std::array::from_fn(|i| x[i] * self.scale[i]))
+        self.motion.restart(0.0, self.own(x))
+    }
+
+    /// A state in its own units.
+    pub fn own(&self, x: &[f64]) -> [f64; N] {
+        padded(&vector(x.len(), &|i| x[i] * self.scale[i]), 0.0)
     }
 
     fn scaled(&self, x: &[f64; N]) -> Vec<f64> {
-        vector(N, &|i| x[i] / self.scale[i])
+        vector(self.scale.len(), &|i| x[i] / self.scale[i])
     }
 
     /// How the last step has carried its neighbours.
     fn carried(&mut self) -> Square {
         let (from, to) = (self.motion.step_start(), self.motion.time());
-        let scale = self.scale;
+        let scale = self.scale.clone();
         let at = |place: f64| {
             let rows = self.motion.jacobian_at(from + place * (to - from));
-            Square::of(N, &|i, j| rows[i][j] * (scale[j] / scale[i]))
+            Square::of(scale.len(), &|i, j| rows[i][j] * (scale[j] / scale[i]))
         };
         propagator(&GAUSS.map(at), to - from)
     }
@@ -144,7 +151,7 @@ impl<S: System<N>, const N: usize> Carrier<S, N> {
 
 impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
     fn rate(&self, x: &[f64]) -> Vec<f64> {
-        let x = std::array::from_fn(|i| x[i] * self.scale[i]);
+        let x = self.own(x);
         let system = self.motion.system();
         self.scaled(&system.rate(0.0, system.mode(0.0, &x), &x))
     }
@@ -152,7 +159,8 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
     fn carry(&mut self, x: &[f64], duration: f64, neighbours: bool) -> Option<(Vec<f64>, Square)> {
         self.start(x).ok()?;
         let end = self.motion.stats().steps + self.most_steps;
-        let mut matrix = Square::identity(N);
+        let n = self.scale.len();
+        let mut matrix = Square::identity(n);
         while self.motion.time() < duration {
             if self.motion.stats().steps >= end {
                 return None;
@@ -170,7 +178,7 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
                 && let Some((jump, normal)) = self.motion.jump(which)
             {
                 let leap = |i: usize, j: usize| jump[i] / self.scale[i] * (normal[j] * self.scale[j]);
-                matrix = Square::of(N, &|i, j| leap(i, j) + f64::from(u8::from(i == j))).times(&matrix);
+                matrix = Square::of(n, &|i, j| leap(i, j) + f64::from(u8::from(i == j))).times(&matrix);
             }
         }
         let end = *self.motion.state();
@@ -187,9 +195,10 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
         self.start(x).map_err(failed)?;
         let (mut low, mut high) = (*self.motion.state(), *self.motion.state());
         let mut rise = low;
+        let n = self.scale.len();
         while self.motion.time() < period {
             self.motion.step(period).map_err(failed)?;
-            for i in 0..N {
+            for i in 0..n {
                 let end = self.motion.state()[i];
                 let turn = self.motion.turning_point(i).map_or(end, |(_, value)| value);
                 (low[i], high[i]) = (low[i].min(turn).min(end), high[i].max(turn).max(end));
@@ -199,9 +208,9 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
             }
         }
         Ok(Swing {
-            amplitude: vector(N, &|i| high[i].max(-low[i])),
-            size: norm(&vector(N, &|i| 0.5 * (high[i] - low[i]) / self.scale[i])),
-            rise: rise.to_vec(),
+            amplitude: vector(n, &|i| high[i].max(-low[i])),
+            size: norm(&vector(n, &|i| 0.5 * (high[i] - low[i]) / self.scale[i])),
+            rise: rise[..n].to_vec(),
         })
     }
 
@@ -212,8 +221,8 @@ impl<S: System<N>, const N: usize> Flow for Carrier<S, N> {
 
     fn orbit(&mut self, from: &[f64], period: f64) -> Result<Columns> {
         let failed = |failure: Failure| failed(failure, 0.0);
-        let mut orbit = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
-        self.motion.restart(0.0, std::array::from_fn(|i| from[i])).map_err(failed)?;
+        let mut orbit = Columns { time: Vec::new(), states: vec![Vec::new(); self.scale.len()] };
+        self.motion.restart(0.0, padded(from, 0.0)).map_err(failed)?;
         for point in 0..=ORBIT {
             let t = period * point as f64 / ORBIT as f64;
             while self.motion.time() < t {
@@ -239,7 +248,7 @@ pub(super) mod tests {
 
     /// The motions of any system whose typical sizes are 1.
     pub fn carrier<S: System<N>, const N: usize>(system: S, period: f64) -> Carrier<S, N> {
-        Carrier::new(system, Method::Auto, 1e-12, [1.0; N], period, MOST_STEPS).unwrap()
+        Carrier::new(system, Method::Auto, 1e-12, vec![1.0; N], period, MOST_STEPS).unwrap()
     }
 
     #[test]

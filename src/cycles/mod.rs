@@ -37,6 +37,7 @@ use self::{
 };
 use crate::{
     error::Result,
+    few::padded,
     live::Columns,
     model::Gear,
     outlook::{End, look_ahead},
@@ -93,11 +94,11 @@ pub(crate) fn limit_cycle<S: Gear<N>, const N: usize>(
     let horizon = posed.run.horizon();
     for x in starts(&posed.run)? {
         let mut motion = posed.motion(horizon / 20.0)?;
-        motion.restart(0.0, std::array::from_fn(|i| x[i])).map_err(|failure| crate::integrate::failed(failure, 0.0))?;
+        motion.restart(0.0, padded(&x, 0.0)).map_err(|failure| crate::integrate::failed(failure, 0.0))?;
         let look = look_ahead(motion, scales, horizon, posed.run.max_steps().min(MOST_STEPS))?;
         let (End::Repeats, Some(cycle)) = (look.end, look.destination) else { continue };
         let mut carrier = Carrier::of(posed, cycle.period)?;
-        if let Some(found) = settled(&mut carrier, scaled(look.motion.state()), cycle.period)? {
+        if let Some(found) = settled(&mut carrier, scaled(&look.motion.state()[..scales.len()]), cycle.period)? {
             return told(&mut carrier, found);
         }
     }
@@ -154,7 +155,7 @@ pub(crate) fn holds<S: Gear<N>, const N: usize>(
 ) -> Result<Option<bool>> {
     let scales = posed.tables.description.state;
     let mut carrier = Carrier::of(posed, period)?;
-    let x = vector(N, &|i| x[i] / scales[i].scale);
+    let x = vector(scales.len(), &|i| x[i] / scales[i].scale);
     let Some((_, around)) = carrier.carry(&x, period, true) else { return Ok(None) };
     let (_, others) = shooting::multipliers(&around, &carrier.rate(&x))?;
     Ok(Some(others.iter().all(|value| value.norm() < 1.0 + LEAVING)))

@@ -50,8 +50,8 @@ struct Columns {
 }
 
 impl Columns {
-    fn with_room<const N: usize>(rows: usize) -> Result<Self> {
-        let mut columns = Self { time: Vec::new(), states: vec![Vec::new(); N] };
+    fn with_room(width: usize, rows: usize) -> Result<Self> {
+        let mut columns = Self { time: Vec::new(), states: vec![Vec::new(); width] };
         for column in std::iter::once(&mut columns.time).chain(&mut columns.states) {
             column.try_reserve_exact(rows).map_err(|_| out_of_memory(rows))?;
         }
@@ -102,7 +102,7 @@ pub fn solve<S: System<N>, const N: usize>(
         Output::Samples(_) if row + 1 == wanted => duration,
         Output::Samples(_) | Output::Steps => duration * row as f64 / (wanted - 1) as f64,
     };
-    let mut columns = Columns::with_room::<N>(wanted.max(256))?;
+    let mut columns = Columns::with_room(motion.system().width(), wanted.max(256))?;
     let mut events = Events { kinds: S::EVENT_KINDS, ..Events::default() };
     let mut row = 0;
     while row < wanted && time_of(row) <= 0.0 {
@@ -142,6 +142,12 @@ pub(crate) fn failed(failure: Failure, t: f64) -> Error {
             "the motion",
             shown(t),
             "it grows without bound with these parameters; run it for less time, or choose less extreme values",
+        ),
+        Failure::StepTooLong => Error::new(
+            Code::Unsuited,
+            "step",
+            format!("one that is too long at {} s", shown(t)),
+            "so short for rk4 that it follows how the damper's hysteresis yields: step × rate at most 2",
         ),
         Failure::StepTooSmall => Error::new(
             Code::StepTooSmall,

@@ -9,7 +9,7 @@ use crate::{
 };
 
 /// Most parameters of a model: a cursor is copied often and must not allocate.
-const MOST_PARAMETERS: usize = 40;
+const MOST_PARAMETERS: usize = 64;
 
 /// A change from outside.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +49,9 @@ impl<S: Gear<N>, const N: usize> Cursor<S, N> {
                 let mut parameters = self.parameters;
                 parameters[index] = value;
                 let count = self.parameters().len();
-                let system = known.cloned().unwrap_or_else(|| Arc::new((self.tables.new)(&parameters[..count])));
+                let system = known.cloned().unwrap_or_else(|| Arc::new(self.tables.system(&parameters[..count])));
+                // What a new damper cannot hold it has let go.
+                x = system.scaled(&x, 1.0);
                 self.integrator.replace(system, t, x)?;
                 self.parameters = parameters;
             }
@@ -75,7 +77,10 @@ impl<S: Gear<N>, const N: usize> Cursor<S, N> {
         if !table.iter().zip(&self.parameters).all(|(parameter, value)| parameter.check(*value).is_ok()) {
             return false;
         }
-        let system = (self.tables.new)(self.parameters());
+        if self.tables.description.check(self.parameters()).is_err() {
+            return false;
+        }
+        let system = self.tables.system(self.parameters());
         self.integrator.code(codec, system)
     }
 }

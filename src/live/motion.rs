@@ -36,7 +36,7 @@ pub(crate) struct Motion<S: 'static, const N: usize> {
 impl<S: Gear<N>, const N: usize> Motion<S, N> {
     pub fn start(posed: Posed<S, N>) -> Result<Self> {
         let present = Cursor::new(posed.tables, posed.motion(INTERVAL)?, posed.run.parameters(), 0);
-        let mut trace = Columns::with_capacity(N, TRACE);
+        let mut trace = Columns::with_capacity(posed.system.width(), TRACE);
         trace.push(0.0, present.integrator.state());
         let keyframes = Keyframes::from(present.clone());
         Ok(Self { posed, present, time: 0.0, latest: 0.0, keyframes, journal: Journal::new(), trace })
@@ -101,7 +101,7 @@ impl<S: Gear<N>, const N: usize> Live for Motion<S, N> {
     }
 
     fn state(&mut self) -> Vec<f64> {
-        self.present.integrator.interpolate(self.time).to_vec()
+        self.present.integrator.interpolate(self.time)[..self.posed.system.width()].to_vec()
     }
 
     fn parameters(&self) -> Vec<f64> {
@@ -133,11 +133,12 @@ impl<S: Gear<N>, const N: usize> Live for Motion<S, N> {
         if self.present.parameters()[index] == value {
             return Ok(());
         }
+        let mut parameters = self.parameters();
+        parameters[index] = value;
+        self.description().check(&parameters)?;
         if let Some(step) = self.posed.run.fixed_step() {
-            let mut parameters = self.parameters();
-            parameters[index] = value;
             let x = self.present.integrator.interpolate(self.time);
-            check_fixed_step(&(self.posed.tables.new)(&parameters), &x, step)?;
+            check_fixed_step(&self.posed.tables.system(&parameters), &x, step)?;
         }
         self.change(Change::Parameter { index, value })
     }
@@ -196,7 +197,7 @@ impl<S: Gear<N>, const N: usize> Live for Motion<S, N> {
 
     fn history(&self, from: f64, to: f64, samples: f64) -> Result<Columns> {
         let samples = self.check_window(from, to, "samples", samples, 2)?;
-        let mut columns = Columns::with_capacity(N, samples);
+        let mut columns = Columns::with_capacity(self.posed.system.width(), samples);
         let mut cursor = self.keyframes.before(from);
         for row in 0..samples {
             let t = if row + 1 == samples { to } else { from + (to - from) * row as f64 / (samples - 1) as f64 };

@@ -58,9 +58,9 @@ pub(super) fn read<S: Gear<N>, const N: usize>(bytes: &[u8], like: &Cursor<S, N>
 /// Tells runs apart that cannot take up each other's motions: by their model, the version of its tables, and their
 /// settings.
 fn kind<S: Gear<N>, const N: usize>(cursor: &Cursor<S, N>) -> u64 {
-    let Description { name, table, state, .. } = cursor.tables.description;
+    let Description { name, table, state, parts, .. } = cursor.tables.description;
     let names = table.iter().map(|p| p.name).chain(state.iter().map(|s| s.name));
-    let tables = std::iter::once(name).chain(names).collect::<Vec<_>>().join(" ");
+    let tables = [name, parts.damper.unwrap_or_default()].into_iter().chain(names).collect::<Vec<_>>().join(" ");
     let settings = cursor.integrator.settings().flat_map(u64::to_le_bytes);
     hash(&tables.into_bytes().into_iter().chain(settings).collect::<Vec<u8>>())
 }

@@ -4,7 +4,10 @@ mod curves;
 
 pub use self::curves::{Curves, ForceLaws, Kinks};
 
-use super::torsional::{PSI, PSI_RATE, Y};
+use super::{
+    assembly::Fitted,
+    torsional::{PSI, PSI_RATE, Y},
+};
 use crate::{
     element::{Side, freeplay::Spring, friction::DryFriction, tire_law::TireLaw},
     error::{Error, Result},
@@ -35,6 +38,8 @@ pub struct Laws {
     pub tread_damping: f64,
     /// I_z \[kg m²\].
     pub moment_of_inertia: f64,
+    /// A damper on the gear.
+    pub fitted: Option<Fitted>,
 }
 
 /// Forces at a state: what a drawing shows.
@@ -54,6 +59,10 @@ pub struct Forces {
     pub spring_torque: f64,
     /// What the dry friction does \[N m\].
     pub friction_torque: f64,
+    /// F of the damper on the gear \[N\]: 0 without one.
+    pub damper_force: f64,
+    /// −M_d = −rF \[N m\].
+    pub damper_torque: f64,
 }
 
 /// Forces along a motion, row by row.
@@ -69,6 +78,10 @@ pub struct ForceColumns {
     pub spring_torque: Vec<f64>,
     /// What the dry friction does \[N m\].
     pub friction_torque: Vec<f64>,
+    /// F of the damper on the gear \[N\].
+    pub damper_force: Vec<f64>,
+    /// −M_d \[N m\].
+    pub damper_torque: Vec<f64>,
 }
 
 /// What each element does to the motion at a state \[W\]: positive puts energy in, or takes it out, as the name says.
@@ -82,13 +95,15 @@ pub struct Power {
     pub tread_width: f64,
     /// M_f|ψ̇|, taken out by dry friction.
     pub friction: f64,
+    /// M_dψ̇, taken out by the damper on the gear: for good, or to be given back.
+    pub fitted: f64,
 }
 
 impl Forces {
     /// Themselves, where they are numbers: a tire may be so short, or a state so large, that they are not.
     fn checked(self) -> Result<Self> {
-        let Self { slip_angle, side_force, aligning_moment, spring_torque, friction_torque, .. } = self;
-        let all = [slip_angle, side_force, aligning_moment, spring_torque, friction_torque];
+        let Self { slip_angle, side_force, aligning_moment, spring_torque, friction_torque, damper_torque, .. } = self;
+        let all = [slip_angle, side_force, aligning_moment, spring_torque, friction_torque, damper_torque];
         Error::unless_finite("the forces", &all)?;
         Ok(self)
     }
@@ -114,7 +129,12 @@ impl Laws {
         Spring::new(self.stiffness, self.freeplay).angle(psi)
     }
 
-    /// Forces at the state (ψ, ψ̇, y).
+    /// F of the damper on the gear \[N\], and r \[m\].
+    fn damper_force(&self, x: &[f64]) -> (f64, f64) {
+        self.fitted.map_or((0.0, 0.0), |fitted| (fitted.force(x), fitted.lever()))
+    }
+
+    /// Forces at the state (ψ, ψ̇, y), and the damper's after it.
     ///
     /// # Errors
     /// Parameters or a state so extreme that they leave the numbers.
@@ -123,7 +143,9 @@ impl Laws {
             self.at_slip_ratio(x[Y] / self.relaxation_length);
         let spring_angle = self.spring_angle(x[PSI]);
         let spring_torque = -self.stiffness * spring_angle;
-        let load = spring_torque + aligning_moment - self.caster_length * side_force;
+        let (damper_force, lever) = self.damper_force(x);
+        let damper_torque = 0.0 - lever * damper_force;
+        let load = spring_torque + aligning_moment - self.caster_length * side_force + damper_torque;
         let friction_torque = DryFriction::new(self.friction).torque(x[PSI_RATE], load);
         let forces = Forces {
             slip_angle,
@@ -133,6 +155,8 @@ impl Laws {
             spring_angle,
             spring_torque,
             friction_torque,
+            damper_force,
+            damper_torque,
         };
         forces.checked()
     }
@@ -150,28 +174,35 @@ impl Laws {
             aligning_moment: empty(),
             spring_torque: empty(),
             friction_torque: empty(),
+            damper_force: empty(),
+            damper_torque: empty(),
         };
         for row in 0..rows {
-            let forces = self.forces(&[states[PSI][row], states[PSI_RATE][row], states[Y][row]])?;
+            let x: Vec<f64> = states.iter().map(|column| column[row]).collect();
+            let forces = self.forces(&x)?;
             columns.slip_angle.push(forces.slip_angle);
             columns.side_force.push(forces.side_force);
             columns.aligning_moment.push(forces.aligning_moment);
             columns.spring_torque.push(forces.spring_torque);
             columns.friction_torque.push(forces.friction_torque);
+            columns.damper_force.push(forces.damper_force);
+            columns.damper_torque.push(forces.damper_torque);
         }
         Ok(columns)
     }
 
-    /// Power at the state (ψ, ψ̇, y).
+    /// Power at the state (ψ, ψ̇, y), and the damper's after it.
     #[inline(never)]
     pub fn power(&self, x: &[f64]) -> Power {
         let (_, side_force, aligning_moment, _) = self.at_slip_ratio(x[Y] / self.relaxation_length);
         let rate = x[PSI_RATE];
+        let (damper_force, lever) = self.damper_force(x);
         Power {
             tire: (aligning_moment - self.caster_length * side_force) * rate,
             damper: self.damping * rate * rate,
             tread_width: self.tread_damping * rate * rate,
             friction: self.friction * rate.abs(),
+            fitted: lever * damper_force * rate,
         }
     }
 

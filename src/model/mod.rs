@@ -4,11 +4,14 @@
 //! share a system: code that moves one is compiled once a system. To add a model: write its file, and add its line to
 //! [`list`].
 
+pub mod assembly;
 pub mod laws;
 pub mod system;
 pub mod torsional;
 pub mod torsional_linear;
 
+pub(crate) use assembly::damper_on;
+pub use assembly::{Assembly, Parts};
 pub use system::{Gear, Mode, Model, System, Tables};
 pub use torsional::{Laned, Prepared, Torsional};
 pub use torsional_linear::TorsionalLinear;
@@ -38,9 +41,12 @@ pub struct Description {
     /// All values that a run holds: see [`Model::TABLE`].
     #[serde(skip)]
     pub table: &'static [Parameter],
+    /// What is on the gear: its values and states come after the gear's own.
+    #[serde(skip)]
+    pub parts: Parts,
     /// See [`Model::laws`].
     #[serde(skip)]
-    pub(crate) laws: fn(&[f64]) -> Option<Laws>,
+    laws: fn(&[f64]) -> Option<Laws>,
     /// See [`Model::prepared`].
     #[serde(skip)]
     pub(crate) prepared: fn(&[f64]) -> Option<Prepared>,
@@ -55,7 +61,7 @@ pub struct Description {
     pub(crate) plane_theory: fn(&[Surface]) -> Option<TorsionalTheory<Surface>>,
     /// The model at its equilibrium, for checked parameter values in table order.
     #[serde(skip)]
-    pub(crate) linearised: fn(&[f64]) -> Result<Linearisation>,
+    linearised: fn(&Self, &[f64]) -> Result<Linearisation>,
 }
 
 impl Description {
@@ -68,13 +74,42 @@ impl Description {
             friction: M::TABLE.split_at(M::PARAMETERS.len()).1,
             table: M::TABLE,
             state: M::STATE,
+            parts: Parts { damper: None },
             laws: M::laws,
             prepared: M::prepared,
             linear_theory: M::linear_theory,
             number_theory: M::linear_theory,
             plane_theory: M::linear_theory,
-            linearised: |values| at_rest(&M::at_rest(values)),
+            linearised: |_, values| at_rest(&M::at_rest(values)),
         }
+    }
+
+    /// How many values are the gear's own, those of its friction among them.
+    pub(crate) fn gear_width(&self) -> usize {
+        self.parameters.len() + self.friction.len()
+    }
+
+    /// Its force laws one by one, for checked parameter values in table order; none where it has no such laws.
+    pub(crate) fn laws(&self, values: &[f64]) -> Option<Laws> {
+        let laws = (self.laws)(&values[..self.gear_width().min(values.len())])?;
+        let fitted = assembly::damper_on(self, values, 1.0 / laws.moment_of_inertia).unwrap_or_default();
+        Some(Laws { fitted, ..laws })
+    }
+
+    /// The model at its equilibrium, for checked parameter values in table order.
+    ///
+    /// # Errors
+    /// As [`Linearisation`]'s.
+    pub(crate) fn linearised(&self, values: &[f64]) -> Result<Linearisation> {
+        (self.linearised)(self, values)
+    }
+
+    /// That the values, each of which is valid, are so together.
+    ///
+    /// # Errors
+    /// Those of a part that says which.
+    pub(crate) fn check(&self, values: &[f64]) -> Result<()> {
+        assembly::damper_on(self, values, 1.0).map(drop)
     }
 
     /// Default values of all parameters, in table order, those of elements after them.
@@ -101,6 +136,11 @@ pub fn list() -> Vec<Description> {
         ($($n:literal, $model:ty;)*) => { vec![$(Description::of::<$n, $model>()),*] };
     }
     for_each_model!(describe)
+}
+
+/// The tables of the model `name` with something on it.
+pub(crate) fn assembled(name: &str, parts: Parts) -> Option<Description> {
+    if parts.none() { named(name) } else { assembly::tables(name, parts).map(|tables| tables.description) }
 }
 
 /// The tables of the model `name`.

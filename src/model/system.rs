@@ -54,6 +54,25 @@ pub trait System<const N: usize>: Clone {
     /// How many of them, the last ones, are of an element that is seldom there: they are looked at where [`System::minds`].
     const SELDOM: usize = 0;
 
+    /// How many of the states there are, the first ones: the others are room that other gears need, and stay 0.
+    #[inline(always)]
+    fn width(&self) -> usize {
+        N
+    }
+
+    /// Where the search for an equilibrium begins, and a bit for each state that may have any value there: it keeps this one.
+    fn rest(&self) -> ([f64; N], u32) {
+        ([0.0; N], 0)
+    }
+
+    /// The fastest rate \[1/s\] at which something fades that its Jacobian at rest does not show: no fixed step may be longer
+    /// than the time that takes.
+    #[inline(always)]
+    fn fading(&self, mode: Mode, x: &[f64; N]) -> f64 {
+        let _ = (mode, x);
+        0.0
+    }
+
     /// Names of the kinds of events, as `event_kind` counts them.
     const EVENT_KINDS: &'static [&'static str] = &[];
 
@@ -108,6 +127,11 @@ pub trait Gear<const N: usize>: System<N> + 'static {
     /// The same gear without freeplay, where it has any: what a rattle is told by.
     fn without_freeplay(&self) -> Option<Self> {
         None
+    }
+
+    /// The same motion so many times as large.
+    fn scaled(&self, x: &[f64; N], factor: f64) -> [f64; N] {
+        x.map(|x| x * factor)
     }
 
     /// Whether dry friction can hold it.
@@ -167,12 +191,17 @@ pub struct Tables<S> {
     /// The tables.
     pub description: Description,
     /// The system for checked parameter values, in table order.
-    pub new: fn(&[f64]) -> S,
+    pub new: fn(&Description, &[f64]) -> S,
 }
 
 impl<S> Tables<S> {
     /// Those of the model `M`.
     pub fn of<const N: usize, M: Model<N, System = S>>() -> &'static Self {
-        const { &Self { description: Description::of::<N, M>(), new: M::new } }
+        const { &Self { description: Description::of::<N, M>(), new: |_, values| M::new(values) } }
+    }
+
+    /// The system for checked parameter values, in table order.
+    pub fn system(&self, values: &[f64]) -> S {
+        (self.new)(&self.description, values)
     }
 }

@@ -196,24 +196,58 @@ impl Torsional {
             if slope != 0.0 {
                 x[Y] -= (load.abs() - self.friction.moment()) * load.signum() / slope;
             }
-            return rubbing(mode, self.friction.released(load));
+            return Self::rubbing(mode, self.friction.released(load));
         }
         // It was slowed down: what it can do now is stick, or turn back.
         let onward = (load > 0.0) == Self::rubs(mode, Rubbing::Forward);
-        rubbing(mode, if onward { Rubbing::Sticking } else { self.friction.at(0.0, load) })
+        Self::rubbing(mode, if onward { Rubbing::Sticking } else { self.friction.at(0.0, load) })
     }
 
     /// What the friction does in a mode.
     #[inline(always)]
-    fn rubs(mode: Mode, how: Rubbing) -> bool {
+    pub(super) fn rubs(mode: Mode, how: Rubbing) -> bool {
         mode.sides(FRICTION) & 3 == how as u32
     }
-}
 
-/// The mode with the friction at work like this.
-fn rubbing(mode: Mode, how: Rubbing) -> Mode {
-    let held = if how == Rubbing::Sticking { NO_MOMENT } else { 0 };
-    mode.with(FRICTION, how as u32).with(HELD, held & 3).with(HELD + 1, held >> 2)
+    /// The mode with the friction at work like this.
+    pub(super) fn rubbing(mode: Mode, how: Rubbing) -> Mode {
+        let held = if how == Rubbing::Sticking { NO_MOMENT } else { 0 };
+        mode.with(FRICTION, how as u32).with(HELD, held & 3).with(HELD + 1, held >> 2)
+    }
+
+    /// The friction, with M_f/I_z.
+    pub(super) fn friction(&self) -> &DryFriction {
+        &self.friction
+    }
+
+    /// 1/I_z
+    pub(super) fn mobility(&self) -> f64 {
+        self.mobility
+    }
+
+    /// The rate of the state with one more moment against the motion, over I_z.
+    #[inline(always)]
+    pub(super) fn driven<R: Real>(&self, mode: Mode, x: &[R; 3], moment: R) -> [R; 3] {
+        // All moments over I_z. A side force at its limit is constant: it is there as early as the spring's.
+        let sides = mode.sides(SIDE_FORCE) | mode.sides(HELD);
+        let (stiffness, offset) = self.lines[(mode.sides(FREEPLAY) & 15) as usize];
+        let spring_and_friction = x[PSI] * stiffness + offset;
+        let known = spring_and_friction + moment - self.tire.constant(sides);
+        self.motion.rate(x, known, self.tire.curve(x[Y], sides))
+    }
+
+    /// The sides of the kinks, without friction.
+    pub(super) fn sides(&self, x: &[f64; 3]) -> Mode {
+        let q = x[Y] * self.slip_ratio;
+        let y_rate = self.motion.rate(x, 0.0, 0.0)[Y];
+        let mut mode = Mode::default()
+            .with_side(SIDE_FORCE, Side::of(q, y_rate, self.limits[SIDE_FORCE]))
+            .with_side(ALIGNING, Side::of(q, y_rate, self.limits[ALIGNING]));
+        if self.spring.freeplay() > 0.0 {
+            mode = mode.with_side(FREEPLAY, Side::of(x[PSI], x[PSI_RATE], self.spring.freeplay()));
+        }
+        mode
+    }
 }
 
 /// See [`Torsional::lines`].
@@ -250,18 +284,11 @@ impl System<3> for Torsional {
         self.motion.rate(x, spring_and_friction - self.tire.constant(sides), self.tire.curve(x[Y], sides))
     }
 
-    fn mode(&self, t: f64, x: &[f64; 3]) -> Mode {
-        let q = x[Y] * self.slip_ratio;
-        let y_rate = self.rate(t, Mode::default(), x)[Y];
-        let mut mode = Mode::default()
-            .with_side(SIDE_FORCE, Side::of(q, y_rate, self.limits[SIDE_FORCE]))
-            .with_side(ALIGNING, Side::of(q, y_rate, self.limits[ALIGNING]));
-        if self.spring.freeplay() > 0.0 {
-            mode = mode.with_side(FREEPLAY, Side::of(x[PSI], x[PSI_RATE], self.spring.freeplay()));
-        }
+    fn mode(&self, _t: f64, x: &[f64; 3]) -> Mode {
+        let mut mode = self.sides(x);
         if self.friction.moment() > 0.0 {
             let (load, _) = self.load(mode, x[PSI], x[Y]);
-            mode = rubbing(mode, self.friction.at(x[PSI_RATE], load));
+            mode = Self::rubbing(mode, self.friction.at(x[PSI_RATE], load));
         }
         mode
     }
@@ -360,6 +387,7 @@ impl Model<3> for Torsional {
             damping: c,
             tread_damping: kappa / v,
             moment_of_inertia: i_z,
+            fitted: None,
         })
     }
 

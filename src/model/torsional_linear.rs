@@ -62,6 +62,7 @@ impl Model<3> for TorsionalLinear {
             damping: c,
             tread_damping: kappa / v,
             moment_of_inertia: i_z,
+            fitted: None,
         })
     }
 

@@ -69,7 +69,7 @@ fn settled<S: Gear<N>, const N: usize>(
     most_steps: u64,
 ) -> Result<Option<[Cycle<N>; 2]>> {
     let time = watch.motion.time();
-    let scaled = watch.motion.state().map(|x| x * factor);
+    let scaled = watch.motion.system().scaled(watch.motion.state(), factor);
     watch.jump(scaled).map_err(|failure| failed(failure, time))?;
     let end = time + 4.0 * SETTLING as f64 * like.period;
     let mut seen: Vec<Cycle<N>> = Vec::with_capacity(SETTLING);

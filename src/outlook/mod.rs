@@ -137,7 +137,7 @@ impl<S: Gear<N>, const N: usize> Looking<S, N> {
     pub fn of(posed: Posed<S, N>) -> Result<Self> {
         let motion = posed.motion(posed.run.horizon() / 20.0)?;
         let stage = if motion.derivative().iter().all(|rate| *rate == 0.0) {
-            Stage::Resting(resting(posed.initial(), posed.system.sticks()))
+            Stage::Resting(resting(&posed.initial()[..posed.system.width()], posed.system.sticks()))
         } else {
             Stage::Ahead(Self::ahead(&posed, motion))
         };
@@ -204,7 +204,8 @@ fn told<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, mut look: Look<S, N>, r
         End::Repeats => Verdict::Shimmies,
     };
     let (present_amplitude, present_frequency, trend) = present(&look, x[0]);
-    let mut orbit = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
+    let width = posed.system.width();
+    let mut orbit = Columns { time: Vec::new(), states: vec![Vec::new(); width] };
     let mut stable = None;
     if let (End::Repeats, Some(cycle)) = (&look.end, look.destination) {
         if look.cycles.first().is_some_and(|first| (first.amplitude[0] / cycle.amplitude[0] - 1.0).abs() < STAYS) {
@@ -222,7 +223,7 @@ fn told<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, mut look: Look<S, N>, r
         verdict,
         settled: arrived && stable != Some(false),
         held: verdict == Verdict::Rests && look::held(&look.motion),
-        amplitude: if verdict == Verdict::DiesOut { vec![0.0; N] } else { amplitude.to_vec() },
+        amplitude: if verdict == Verdict::DiesOut { vec![0.0; width] } else { amplitude[..width].to_vec() },
         frequency: if verdict == Verdict::DiesOut { None } else { frequency },
         present_amplitude,
         present_frequency,
@@ -233,19 +234,19 @@ fn told<S: Gear<N>, const N: usize>(posed: &Posed<S, N>, mut look: Look<S, N>, r
     })
 }
 
-fn resting<const N: usize>(x: [f64; N], sticks: bool) -> Outlook {
+fn resting(x: &[f64], sticks: bool) -> Outlook {
     Outlook {
         verdict: Verdict::Rests,
         settled: true,
         held: sticks && x[0] != 0.0,
-        amplitude: x.map(f64::abs).to_vec(),
+        amplitude: x.iter().map(|x| x.abs()).collect(),
         frequency: None,
         present_amplitude: x[0].abs(),
         present_frequency: None,
         trend: Trend::Steady,
         stable: None,
         envelope: Envelope { time: vec![0.0], low: vec![x[0]], high: vec![x[0]] },
-        orbit: Columns { time: Vec::new(), states: vec![Vec::new(); N] },
+        orbit: Columns { time: Vec::new(), states: vec![Vec::new(); x.len()] },
     }
 }
 
@@ -298,7 +299,8 @@ fn envelope<S: Gear<N>, const N: usize>(look: &Look<S, N>, start: f64) -> Envelo
 
 /// One period from where the motion is, and the largest |·| of every state in it.
 fn once_round<S: Gear<N>, const N: usize>(look: &mut Look<S, N>, period: f64) -> Result<(Columns, [f64; N])> {
-    let mut columns = Columns { time: Vec::new(), states: vec![Vec::new(); N] };
+    let width = look.motion.system().width();
+    let mut columns = Columns { time: Vec::new(), states: vec![Vec::new(); width] };
     let mut amplitude = [0.0_f64; N];
     let start = look.motion.time();
     for point in 0..=ORBIT {

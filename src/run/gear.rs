@@ -75,6 +75,6 @@ impl Run {
 
     /// The model's force laws.
     pub(crate) fn laws(&self) -> Result<Laws> {
-        (self.description().laws)(&self.parameters).ok_or_else(|| Error::without(self.model, "force laws"))
+        self.description().laws(&self.parameters).ok_or_else(|| Error::without(self.model, "force laws"))
     }
 }

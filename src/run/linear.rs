@@ -41,7 +41,7 @@ impl Run {
     /// As [`Run::eigenvalues`].
     pub fn eigenmodes(&self) -> Result<Vec<Eigenmode>> {
         let description = self.description();
-        let laws = (description.laws)(&self.parameters);
+        let laws = description.laws(&self.parameters);
         Eigenmode::all(&self.linearised()?.jacobian, description.state, laws)
     }
 
@@ -57,16 +57,32 @@ impl Run {
     fn characteristic(&self) -> Result<Vec<Bounded>> {
         match self.theory_of_numbers() {
             Some(theory) => Ok(theory.characteristic()?.to_vec()),
-            None => characteristic_bounded(&self.linearised()?.jacobian),
+            None => self.characteristic_by_numbers(),
         }
     }
 
-    /// Routh's array of the characteristic polynomial.
+    /// The same by numbers. What is zero whatever the values is so exactly.
+    fn characteristic_by_numbers(&self) -> Result<Vec<Bounded>> {
+        let linear = self.linearised()?;
+        let mut coefficients = characteristic_bounded(&linear.jacobian)?;
+        let deciding = coefficients.len() - linear.neutral;
+        coefficients[deciding..].fill(Bounded::exact(0.0));
+        Ok(coefficients)
+    }
+
+    /// The characteristic polynomial of what decides on stability: without the roots that are zero whatever the values.
+    fn deciding(&self, mut coefficients: Vec<Bounded>) -> Result<Vec<Bounded>> {
+        coefficients.truncate(coefficients.len() - self.linearised()?.neutral);
+        Ok(coefficients)
+    }
+
+    /// Routh's array of the characteristic polynomial, without its roots that are zero whatever the values, as a hysteresis has
+    /// one.
     ///
     /// # Errors
     /// As [`Run::characteristic_polynomial`]; parameters so extreme that an entry leaves the numbers.
     pub fn routh_array(&self) -> Result<RouthArray> {
-        RouthArray::of_bounded(&self.characteristic()?)
+        RouthArray::of_bounded(&self.deciding(self.characteristic()?)?)
     }
 
     /// The model's linear theory with the run's parameters.
@@ -90,7 +106,7 @@ impl Run {
     /// # Errors
     /// As [`Run::routh_array`], for the speeds and dampings searched, too.
     pub fn routh_hurwitz_by_numbers(&self) -> Result<RouthHurwitz> {
-        let array = RouthArray::of_bounded(&characteristic_bounded(&self.linearised()?.jacobian)?)?;
+        let array = RouthArray::of_bounded(&self.deciding(self.characteristic_by_numbers()?)?)?;
         let search = |names: &[&str], (from, to)| {
             let known = names.iter().find(|name| parameter_index(self.table(), name).is_ok());
             known.map_or(Ok(Vec::new()), |name| self.crossings(&Variation::of(name, from, to)))
@@ -114,7 +130,7 @@ impl Run {
         let description = self.description();
         let spectrum = |value: f64| {
             let values: Vec<f64> = varied.iter().map(|parameter| parameter.at(value)).collect();
-            linearised(&description, &values)?.eigenvalues()
+            linearised(&description, &values)?.deciding()
         };
         crossings(&spectrum, variation.from, variation.to)
     }

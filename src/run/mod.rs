@@ -19,7 +19,7 @@ use crate::{
     error::{Code, Error, Result},
     integrate::{Method, Output, Scheme, Trajectory},
     live::Simulator,
-    model::{self, Description},
+    model::{self, Description, Parts},
     outlook::{HORIZON, Outlook},
     parameter::Parameter,
     section::{Section, SectionSpec},
@@ -37,8 +37,11 @@ const DURATION: f64 = 2.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     model: &'static str,
+    parts: Parts,
     parameters: Vec<f64>,
     initial: Vec<f64>,
+    /// The state u of a damper, where it does not start at the command.
+    effective: bool,
     duration: Option<f64>,
     method: Method,
     rtol: f64,
@@ -60,8 +63,10 @@ impl Run {
         })?;
         Ok(Self {
             model: description.name,
+            parts: Parts::default(),
             parameters: description.defaults(),
             initial: vec![0.0; description.state.len()],
+            effective: false,
             duration: None,
             method: Method::Auto,
             rtol: 1e-8,
@@ -86,9 +91,7 @@ impl Run {
     /// # Errors
     /// A value that is not valid.
     pub(crate) fn with_values(mut self, values: &[f64]) -> Result<Self> {
-        for (parameter, value) in self.table().iter().zip(values) {
-            self.set_parameter(parameter.name, *value)?;
-        }
+        self.set_parameters(values)?;
         Ok(self)
     }
 
@@ -98,6 +101,15 @@ impl Run {
     /// An unknown name, or a value that is not finite.
     pub fn starting(mut self, name: &str, value: f64) -> Result<Self> {
         self.set_initial(name, value)?;
+        Ok(self)
+    }
+
+    /// With the damper `name` on the gear, with its defaults there.
+    ///
+    /// # Errors
+    /// An unknown name, with the nearest known one; a model that has no place for a damper.
+    pub fn fitted(mut self, name: &str) -> Result<Self> {
+        self.set_damper(name)?;
         Ok(self)
     }
 
@@ -175,7 +187,7 @@ impl Run {
 
     /// The model's tables.
     pub fn description(&self) -> Description {
-        model::named(self.model).expect("a run is made for a listed model")
+        model::assembled(self.model, self.parts).expect("a run is made for a listed model")
     }
 
     /// Values of all parameters, in table order, those of its elements after them.

@@ -3,14 +3,15 @@
 use super::{Fields, Run, Value};
 use crate::{
     error::{Code, Error, Result, shown},
-    parameter::Parameter,
+    parameter::{Parameter, parameter_index},
 };
 
 /// The keys of a run.
-const KEYS: [&str; 12] = [
+const KEYS: [&str; 13] = [
     "model",
     "parameters",
     "friction",
+    "damper",
     "initial",
     "duration",
     "method",
@@ -22,8 +23,11 @@ const KEYS: [&str; 12] = [
     "samples",
 ];
 
+/// The keys of a damper.
+const DAMPER: [&str; 4] = ["model", "leverArm", "command", "parameters"];
+
 /// Parts that a run may name as absent: none of the models has room for them.
-const ABSENT: [&str; 4] = ["damper", "tire", "control", "disturbance"];
+const ABSENT: [&str; 3] = ["tire", "control", "disturbance"];
 
 /// A number of a run: its key, what is allowed, what sets it.
 type NumberField = (&'static str, &'static str, fn(&mut Run, f64) -> Result<()>);
@@ -68,12 +72,19 @@ impl Run {
         };
         let model = given("model").ok_or_else(|| Error::missing("model", "the name of a model, such as torsional"))?;
         let mut run = Run::of(text("model", model)?)?;
+        let damper = given("damper").map(|damper| Fields::of("damper", damper, &DAMPER)).transpose()?;
+        if let Some(damper) = &damper {
+            run.read_damper(damper).map_err(|error| error.within("damper"))?;
+        }
         if let Some(values) = given("parameters") {
             for (name, value) in present("parameters", values)? {
                 // Dotted names too, as a live motion gives its parameters.
                 let table = run.table();
                 run.set_parameter(name, number_of(table, name, value)?)?;
             }
+        }
+        if let Some(damper) = &damper {
+            run.read_damper_values(damper)?;
         }
         if let Some(values) = given("friction") {
             run.read_element("friction", run.description().friction, values)?;
@@ -106,6 +117,34 @@ impl Run {
 }
 
 impl Run {
+    /// Puts the damper on the gear that a record names.
+    fn read_damper(&mut self, fields: &Fields) -> Result<()> {
+        let allowed = "the name of a damper, such as bouc-wen";
+        let name = fields.text("model")?.ok_or_else(|| Error::missing("model", allowed))?;
+        self.set_damper(name)
+    }
+
+    /// Reads the damper's own values. They are checked together once all are there.
+    fn read_damper_values(&mut self, fields: &Fields) -> Result<()> {
+        let table = self.table();
+        let mut values = self.parameters.clone();
+        let mut take = |name: &str, value: &Value| {
+            values[parameter_index(table, name)?] = number_of(table, name, value)?;
+            Ok(())
+        };
+        for name in ["leverArm", "command"] {
+            if let Some(value) = fields.value(name) {
+                take(&format!("damper.{name}"), value)?;
+            }
+        }
+        if let Some(given) = fields.value("parameters") {
+            for (name, value) in present("damper.parameters", given)? {
+                take(&format!("damper.parameters.{name}"), value)?;
+            }
+        }
+        self.set_parameters(&values)
+    }
+
     /// Reads the values of an element, whose table has them by dotted names.
     #[inline(never)]
     fn read_element(&mut self, element: &str, table: &'static [Parameter], values: &Value) -> Result<()> {
@@ -152,7 +191,7 @@ impl Run {
 
 #[inline(never)]
 fn number_of(table: &[Parameter], name: &str, value: &Value) -> Result<f64> {
-    let index = crate::parameter::parameter_index(table, name)?;
+    let index = parameter_index(table, name)?;
     match value {
         Value::Number(number) => Ok(*number),
         // The table's own words for what is allowed.

@@ -5,9 +5,13 @@ use crate::{
     cycles::{self, Guess, LimitCycle},
     energy::{self, Energy},
     error::{Code, Error, Result, shown, shown_short},
+    few::padded,
     integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, solve},
     live::{Motion, Simulator},
-    model::{Gear, Model, Tables},
+    model::{
+        Gear, Model, Tables,
+        assembly::{self, STATES},
+    },
     outlook::{Looking, Lookout},
     section::{self, Section, SectionSpec},
     stability::eigenvalues,
@@ -57,6 +61,12 @@ pub(crate) struct Posed<S: 'static, const N: usize> {
 impl Run {
     /// The run with its model's type erased.
     pub fn problem(&self) -> Box<dyn Problem> {
+        if !self.parts.none() {
+            let Some(tables) = assembly::tables(self.model, self.parts) else {
+                unreachable!("a run is of listed parts")
+            };
+            return Box::new(Posed::<_, STATES>::new(self.clone(), tables));
+        }
         macro_rules! pose {
             ($($n:literal, $model:ty;)*) => {
                 $(if self.model == <$model>::NAME {
@@ -75,23 +85,24 @@ const RK4_STABLE: f64 = 2.7;
 
 impl<S: Gear<N>, const N: usize> Posed<S, N> {
     pub fn new(run: Run, tables: &'static Tables<S>) -> Self {
-        let system = (tables.new)(&run.parameters);
+        let system = tables.system(&run.parameters);
         Self { run, tables, system }
     }
 
     /// The state at t = 0.
     pub fn initial(&self) -> [f64; N] {
-        std::array::from_fn(|i| self.run.initial[i])
+        padded(&self.run.initial, 0.0)
     }
 
     /// The motion at t = 0, with no step longer than `longest_step`.
     pub fn motion(&self, longest_step: f64) -> Result<Integrator<S, N>> {
         let Run { rtol, atol, step, .. } = self.run;
-        let absolute = std::array::from_fn(|i| atol.unwrap_or(rtol / 100.0 * self.tables.description.state[i].scale));
+        let states = self.tables.description.state;
+        let absolute: Vec<f64> = states.iter().map(|s| atol.unwrap_or(rtol / 100.0 * s.scale)).collect();
         if self.run.method == Method::Always(Scheme::RungeKutta4) {
             check_fixed_step(&self.system, &self.initial(), step)?;
         }
-        let tolerance = Tolerance { relative: rtol, absolute };
+        let tolerance = Tolerance::of(rtol, &absolute);
         Integrator::new(self.system.clone(), self.run.method, tolerance, step, longest_step, self.initial())
             .map_err(|failure| failed(failure, 0.0))
     }

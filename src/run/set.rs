@@ -2,10 +2,18 @@
 
 use super::{MOST_SAMPLES, Run};
 use crate::{
+    element::damper,
     error::{Code, Error, Result, shown},
     integrate::{Method, Output},
-    parameter::{Validity, check_number, parameter_index, state_index},
+    model::{Description, Parts, damper_on},
+    parameter::{Parameter, StateVariable, Validity, check_number, parameter_index, state_index},
 };
+
+/// The state that has a largest value.
+const HYSTERESIS: &str = "hysteresis";
+/// The state that starts at a command.
+const EFFECTIVE_COMMAND: &str = "effectiveCommand";
+const COMMAND: &str = "damper.command";
 
 /// Most steps that can be asked for.
 const MOST_STEPS: f64 = 1e9;
@@ -16,14 +24,71 @@ impl Run {
     pub(super) fn set_parameter(&mut self, name: &str, value: f64) -> Result<()> {
         let table = self.table();
         let index = parameter_index(table, name)?;
-        self.parameters[index] = table[index].check(value)?;
+        let before = std::mem::replace(&mut self.parameters[index], table[index].check(value)?);
+        if !self.parts.none() {
+            self.description().check(&self.parameters).inspect_err(|_| self.parameters[index] = before)?;
+            self.settle_command();
+        }
         Ok(())
+    }
+
+    /// Sets all parameters, in table order.
+    pub(super) fn set_parameters(&mut self, values: &[f64]) -> Result<()> {
+        let description = self.description();
+        for (parameter, value) in description.table.iter().zip(values) {
+            parameter.check(*value)?;
+        }
+        description.check(values)?;
+        self.parameters = values.to_vec();
+        self.settle_command();
+        Ok(())
+    }
+
+    /// Puts a damper on the gear.
+    pub(super) fn set_damper(&mut self, name: &str) -> Result<()> {
+        let damper = damper::named(name)?;
+        self.assemble(Parts { damper: Some(damper.name) })
+    }
+
+    /// That a state may start like this.
+    pub(crate) fn check_start(&self, name: &str, value: f64) -> Result<()> {
+        match damper_on(&self.description(), &self.parameters, 1.0)? {
+            Some(fitted) if name == HYSTERESIS => fitted.check_hysteresis(value),
+            _ => Ok(()),
+        }
+    }
+
+    /// Puts parts on the gear; values that it has had before stay.
+    fn assemble(&mut self, parts: Parts) -> Result<()> {
+        let before = self.description();
+        self.parts = parts;
+        let after = self.description();
+        let kept = |name: &str| before.table.iter().position(|parameter| parameter.name == name);
+        let value = |parameter: &Parameter| kept(parameter.name).map_or(parameter.default, |at| self.parameters[at]);
+        self.parameters = after.table.iter().map(value).collect();
+        let kept = |name: &str| before.state.iter().position(|state| state.name == name);
+        let start = |state: &StateVariable| kept(state.name).map_or(0.0, |at| self.initial[at]);
+        self.initial = after.state.iter().map(start).collect();
+        self.settle_command();
+        after.check(&self.parameters)
+    }
+
+    /// Lets the state u start at the command, unless it is said to start elsewhere.
+    pub(super) fn settle_command(&mut self) {
+        let Description { table, state, .. } = self.description();
+        let state = state.iter().position(|state| state.name == EFFECTIVE_COMMAND);
+        let command = table.iter().position(|parameter| parameter.name == COMMAND);
+        if let (false, Some(state), Some(command)) = (self.effective, state, command) {
+            self.initial[state] = self.parameters[command];
+        }
     }
 
     pub(super) fn set_initial(&mut self, name: &str, value: f64) -> Result<()> {
         let states = self.description().state;
         let index = state_index(states, name).map_err(|error| error.called("initial"))?;
         self.initial[index] = check_number(name, value, Validity::Finite, states[index].unit)?;
+        self.check_start(name, value)?;
+        self.effective |= name == EFFECTIVE_COMMAND;
         Ok(())
     }
 

@@ -40,7 +40,7 @@ pub struct Eigenmode {
 }
 
 /// The energy that goes through a mode's steering motion in one cycle, each part as a rate of growth \[1/s\]: `tire` =
-/// `damper` + `tread_width` + `stored`, and `stored` = Re λ.
+/// `damper` + `tread_width` + `fitted` + `stored`, and `stored` = Re λ.
 ///
 /// # Equations
 /// With ψ = Re(Ψ e^{λt}) every moment about the axis is M = Re(μ e^{λt}), and its power Mψ̇, meaned over the phase of the
@@ -68,6 +68,8 @@ pub struct EnergyFlow {
     pub damper: f64,
     /// Taken by the width of the tread.
     pub tread_width: f64,
+    /// Taken by a damper on the gear: what its springs store within a cycle comes back.
+    pub fitted: f64,
     /// Stored in the wheel's turning.
     pub kinetic: f64,
     /// Stored in the spring.
@@ -132,7 +134,8 @@ impl Eigenmode {
         let time = |rate: f64| Some(LN_2 / rate).filter(|time| rate > 0.0 && time.is_finite());
         let energy_flow = laws.filter(|_| reference == 0).map(|laws| EnergyFlow::of(growth, &shape, &laws));
         let parts = shape.iter().flat_map(|part| [part.re, part.im]);
-        let flows = energy_flow.iter().flat_map(|flow| [flow.tire, flow.damper, flow.tread_width, flow.stored]);
+        let flows =
+            energy_flow.iter().flat_map(|flow| [flow.tire, flow.damper, flow.tread_width, flow.fitted, flow.stored]);
         if parts.chain(flows).chain([size]).any(|part| !part.is_finite()) {
             return Err(Error::beyond_numbers("the modes"));
         }
@@ -164,6 +167,7 @@ impl EnergyFlow {
             tire: rate(power.tire + more.tire),
             damper: rate(power.damper + more.damper),
             tread_width: rate(power.tread_width + more.tread_width),
+            fitted: rate(power.fitted + more.fitted),
             kinetic,
             spring,
             stored: kinetic + spring,

@@ -5,6 +5,7 @@ use nalgebra::{Complex, DMatrix};
 use super::{eigenvalues::eigenvalues, elimination::Triangle};
 use crate::{
     error::{Code, Error, Result},
+    few::{padded, sort_few},
     model::{Description, System},
 };
 
@@ -22,6 +23,9 @@ pub struct Linearisation {
     pub equilibrium: Vec<f64>,
     /// J, in the same order.
     pub jacobian: DMatrix<f64>,
+    /// How many states may have any value at rest: as many eigenvalues are zero, and say nothing of stability. A hysteresis
+    /// has one.
+    pub neutral: usize,
 }
 
 impl Linearisation {
@@ -30,7 +34,26 @@ impl Linearisation {
     /// # Errors
     /// A matrix so extreme that they leave the numbers.
     pub fn eigenvalues(&self) -> Result<Vec<Complex<f64>>> {
-        eigenvalues(&self.jacobian)
+        let mut values = self.deciding()?;
+        if self.neutral == 0 {
+            return Ok(values);
+        }
+        values.extend(vec![Complex::from(0.0); self.neutral]);
+        sort_few(&mut values, |a, b| a.re > b.re);
+        Ok(values)
+    }
+
+    /// Those that decide on stability: all but what is zero whatever the values.
+    ///
+    /// # Errors
+    /// As [`Linearisation::eigenvalues`].
+    pub fn deciding(&self) -> Result<Vec<Complex<f64>>> {
+        let mut values = eigenvalues(&self.jacobian)?;
+        for _ in 0..self.neutral {
+            let least = (0..values.len()).min_by(|a, b| values[*a].norm_sqr().total_cmp(&values[*b].norm_sqr()));
+            least.map(|least| values.remove(least));
+        }
+        Ok(values)
     }
 }
 
@@ -39,7 +62,7 @@ impl Linearisation {
 /// # Errors
 /// Values so extreme that the Jacobian leaves the numbers; no equilibrium that Newton's method finds from the state 0.
 pub(crate) fn linearised(model: &Description, values: &[f64]) -> Result<Linearisation> {
-    (model.linearised)(values)
+    model.linearised(values)
 }
 
 /// A system at its equilibrium.
@@ -47,20 +70,23 @@ pub(crate) fn linearised(model: &Description, values: &[f64]) -> Result<Linearis
 /// # Errors
 /// As [`linearised`].
 pub(crate) fn at_rest<S: System<N>, const N: usize>(system: &S) -> Result<Linearisation> {
-    newton(N, &|x| {
-        let x: [f64; N] = std::array::from_fn(|i| x[i]);
+    let width = system.width();
+    let (start, free) = system.rest();
+    newton(&start[..width], free, &|x| {
+        let x: [f64; N] = padded(x, 0.0);
         let mode = system.mode(0.0, &x);
         let rows = system.jacobian(0.0, mode, &x);
-        (system.rate(0.0, mode, &x).to_vec(), DMatrix::from_fn(N, N, |row, column| rows[row][column]))
+        (system.rate(0.0, mode, &x)[..width].to_vec(), DMatrix::from_fn(width, width, |row, column| rows[row][column]))
     })
 }
 
 /// f and ∂f/∂x at a state.
 type Answer = (Vec<f64>, DMatrix<f64>);
 
-/// Newton's method for f(x) = 0 from x = 0; `at` gives f and its Jacobian.
-fn newton(states: usize, at: &dyn Fn(&[f64]) -> Answer) -> Result<Linearisation> {
-    let mut equilibrium = vec![0.0; states];
+/// Newton's method for f(x) = 0 from a start; `at` gives f and its Jacobian, and `free` has a bit for each state that stays.
+fn newton(start: &[f64], free: u32, at: &dyn Fn(&[f64]) -> Answer) -> Result<Linearisation> {
+    let mut equilibrium = start.to_vec();
+    let neutral = free.count_ones() as usize;
     let mut arrived = false;
     for _ in 0..NEWTON_STEPS {
         let (rate, jacobian) = at(&equilibrium);
@@ -68,9 +94,14 @@ fn newton(states: usize, at: &dyn Fn(&[f64]) -> Answer) -> Result<Linearisation>
             return Err(Error::beyond_numbers("the Jacobian"));
         }
         if arrived || rate.iter().all(|rate| *rate == 0.0) {
-            return Ok(Linearisation { equilibrium, jacobian });
+            return Ok(Linearisation { equilibrium, jacobian, neutral });
         }
-        let side: Vec<Complex<f64>> = rate.iter().map(|rate| Complex::from(-rate)).collect();
+        let mut side: Vec<Complex<f64>> = rate.iter().map(|rate| Complex::from(-rate)).collect();
+        let mut jacobian = jacobian;
+        for i in (0..start.len()).filter(|i| free >> i & 1 == 1) {
+            side[i] = 0.0.into();
+            (0..start.len()).for_each(|j| jacobian[(i, j)] = f64::from(u8::from(i == j)));
+        }
         let step = Triangle::of(&jacobian, 0.0.into(), &side).solution(0.0);
         // A step that is lost in rounding is the last.
         arrived = step.iter().zip(&equilibrium).all(|(step, x)| step.re.abs() <= 4.0 * f64::EPSILON * x.abs());

@@ -80,14 +80,14 @@ impl Plane {
     }
 
     /// The fields that a plane has.
-    pub(crate) const KEYS: [&'static str; 6] = ["model", "parameters", "friction", "x", "y", "linked"];
+    pub(crate) const KEYS: [&'static str; 7] = ["model", "parameters", "friction", "damper", "x", "y", "linked"];
 
     /// Reads a plane whose axes have `more` fields than parameter and ends; these come back for both.
     ///
     /// # Errors
     /// Anything but known keys with valid values; the error names the field.
     pub(crate) fn read_with<'a>(fields: &Fields<'a>, more: &[&'static str]) -> Result<(Self, [Fields<'a>; 2])> {
-        let given = ["model", "parameters", "friction"];
+        let given = ["model", "parameters", "friction", "damper"];
         let given = given.into_iter().filter_map(|key| Some((key.to_owned(), fields.value(key)?.clone())));
         let run = Run::read(&Value::Record(given.collect()))?;
         let known = [&["parameter", "from", "to"], more].concat();
@@ -170,12 +170,12 @@ impl Plane {
         self.links
     }
 
-    /// The eigenvalues at a point of the unit square, by falling real part.
+    /// The eigenvalues at a point of the unit square that decide on stability, by falling real part.
     ///
     /// # Errors
     /// As [`super::Linearisation::eigenvalues`], and without an equilibrium.
     pub fn eigenvalues(&self, at: [f64; 2]) -> Result<Vec<Complex<f64>>> {
-        linearised(&self.run.description(), &self.values(at))?.eigenvalues()
+        linearised(&self.run.description(), &self.values(at))?.deciding()
     }
 
     /// The linear theory over the unit square, where the model has it in closed form.

@@ -110,6 +110,7 @@ pub(super) fn energy(energy: &Energy) -> JsValue {
         .number("damper", energy.damper)
         .number("treadWidth", energy.tread_width)
         .number("friction", energy.friction)
+        .number("mrDamper", energy.fitted)
         .number("kinetic", energy.kinetic)
         .number("spring", energy.spring)
         .number("stored", energy.stored)
@@ -125,6 +126,8 @@ pub(super) fn forces(forces: &Forces) -> JsValue {
         .number("springAngle", forces.spring_angle)
         .number("springTorque", forces.spring_torque)
         .number("frictionTorque", forces.friction_torque)
+        .number("damperForce", forces.damper_force)
+        .number("damperTorque", forces.damper_torque)
         .done()
 }
 
@@ -135,6 +138,8 @@ pub(super) fn forces_along(columns: &ForceColumns) -> JsValue {
         .series("aligningMoment", &columns.aligning_moment)
         .series("springTorque", &columns.spring_torque)
         .series("frictionTorque", &columns.friction_torque)
+        .series("damperForce", &columns.damper_force)
+        .series("damperTorque", &columns.damper_torque)
         .done()
 }
 
@@ -242,6 +247,7 @@ fn energy_flow(flow: &EnergyFlow) -> JsValue {
         .number("tire", flow.tire)
         .number("damper", flow.damper)
         .number("treadWidth", flow.tread_width)
+        .number("mrDamper", flow.fitted)
         .number("kinetic", flow.kinetic)
         .number("spring", flow.spring)
         .number("stored", flow.stored)

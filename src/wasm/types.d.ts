@@ -21,6 +21,8 @@ export interface Run {
   parameters?: Parameters | null;
   /** dry friction about the steering axis, M_f in N m; absent, null and 0: none */
   friction?: { moment?: number | null } | null;
+  /** a damper on the gear; absent and null: none */
+  damper?: DamperOnGear | null;
   initial?: Record<string, number> | null;
   /** s; 2 */
   duration?: number | null;
@@ -39,8 +41,29 @@ export interface Run {
   /** 2 … 1e7, equally spaced from 0 to the duration; not together with `times` */
   samples?: number | null;
 }
-/** Times and one array per state variable, under its name. */
-export interface Columns { time: Float64Array; torsionAngle: Float64Array; torsionRate: Float64Array; lateralDeformation: Float64Array }
+/** A magnetorheological damper, driven by the turning wheel through a lever: x = rψ, M_d = rF. Its states come after the gear's, and its values are reached by dotted names: `damper.command`, `damper.leverArm`, `damper.parameters.gamma`. What would preload the gear is 0 by default, and `forceScale` 0.01. */
+export interface DamperOnGear {
+  /** a name of `dampers()` */
+  model: string;
+  /** m; 0.1 */
+  leverArm?: number | null;
+  /** A or V */
+  command?: number | null;
+  parameters?: Record<string, number> | null;
+}
+/** Times and one array per state variable, under its name; of a damper those that it has. */
+export interface Columns {
+  time: Float64Array;
+  torsionAngle: Float64Array;
+  torsionRate: Float64Array;
+  lateralDeformation: Float64Array;
+  /** z of a damper */
+  hysteresis?: Float64Array;
+  /** w of a damper in series, m */
+  internalDisplacement?: Float64Array;
+  /** u of a damper whose coil takes its time */
+  effectiveCommand?: Float64Array;
+}
 /** A trajectory: its columns, where piecewise laws changed, and what it has cost. */
 export interface Trajectory extends Columns {
   events: { time: Float64Array; kind: Uint8Array; kinds: string[] };
@@ -108,6 +131,7 @@ export interface BifurcationSpec {
   parameters?: Parameters | null;
   /** dry friction, as in a `Run`; `friction.moment` may be the parameter */
   friction?: Run['friction'];
+  damper?: Run['damper'];
   parameter: string;
   from: number;
   to: number;
@@ -255,7 +279,7 @@ export interface Eigenmode {
   shape: Record<string, ComplexNumber & { amplitude: number; lag: number }>;
   energyFlow: EnergyFlow | null;
 }
-/** Where a mode's energy comes from and goes, as rates of growth in 1/s: tire = damper + treadWidth + stored, and stored = Re λ. */
+/** Where a mode's energy comes from and goes, as rates of growth in 1/s: tire = damper + treadWidth + mrDamper + stored, and stored = Re λ. */
 export interface EnergyFlow {
   /** fed in by the tire */
   tire: number;
@@ -263,6 +287,8 @@ export interface EnergyFlow {
   damper: number;
   /** taken by the tread's width */
   treadWidth: number;
+  /** taken by a magnetorheological damper */
+  mrDamper: number;
   /** stored in the wheel's turning */
   kinetic: number;
   /** stored in the spring */
@@ -287,6 +313,8 @@ export interface Plane {
   parameters?: Parameters | null;
   /** linear theory leaves it out */
   friction?: { moment?: number | null } | null;
+  /** as in a `Run`; `damper.command` and the like may be on an axis. Stability is judged without the eigenvalue that a hysteresis has at zero. */
+  damper?: Run['damper'];
   x: Axis;
   y: Axis;
   linked?: { relaxationLength?: boolean | null; treadWidthMomentConstant?: boolean | null } | null;
@@ -343,6 +371,7 @@ export interface BasinsSpec {
   model: string;
   parameters?: Parameters | null;
   friction?: Run['friction'];
+  damper?: Run['damper'];
   /** where a motion starts, but for the states on the axes; at rest, or where the axes are parameters a tenth of the first state's typical size from it */
   initial?: Record<string, number> | null;
   x: BasinsAxis;
@@ -378,6 +407,7 @@ export interface SweepSpec {
   model: string;
   parameters?: Parameters | null;
   friction?: Run['friction'];
+  damper?: Run['damper'];
   /** where a motion starts; a hundredth of the first state's typical size from rest */
   initial?: Record<string, number> | null;
   /** where the way back begins when the way there has ended at rest; three times the first state's typical size */
@@ -431,7 +461,7 @@ export interface Jobs {
 }
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }
-/** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + friction + stored. */
+/** Energy that went through the steering motion in `duration` s, in J: tire = damper + treadWidth + friction + mrDamper + stored. */
 export interface Energy {
   duration: number;
   /** fed in by the tire: ∫(M_z − e F_y)ψ̇ dt */
@@ -442,6 +472,8 @@ export interface Energy {
   treadWidth: number;
   /** taken by dry friction: ∫M_f|ψ̇| dt */
   friction: number;
+  /** taken by a magnetorheological damper, for good or to be given back: ∫M_dψ̇ dt */
+  mrDamper: number;
   /** rise of ½I_zψ̇² */
   kinetic: number;
   /** rise of ½k s² */
@@ -449,8 +481,8 @@ export interface Energy {
   /** kinetic + spring */
   stored: number;
 }
-/** Forces along a motion, row by row: rad, N, N m, N m, N m. */
-export interface ForceColumns { slipAngle: Float64Array; sideForce: Float64Array; aligningMoment: Float64Array; springTorque: Float64Array; frictionTorque: Float64Array }
+/** Forces along a motion, row by row: rad, N, N m, N m, N m, N, N m. */
+export interface ForceColumns { slipAngle: Float64Array; sideForce: Float64Array; aligningMoment: Float64Array; springTorque: Float64Array; frictionTorque: Float64Array; damperForce: Float64Array; damperTorque: Float64Array }
 /** What to draw of the force laws: angles in rad, each curve from −angle to +angle. */
 export interface Curves {
   /** below 90°; 20° */
@@ -525,6 +557,6 @@ export interface DamperResponse {
 /** What the links between parameters give. */
 export interface LinkedParameters { relaxationLength: number; treadWidthMomentConstant: number }
 /** Forces at a state, SI. */
-export interface Forces { slipAngle: number; sideForce: number; aligningMoment: number; sideForceLimited: boolean; springAngle: number; springTorque: number; frictionTorque: number }
+export interface Forces { slipAngle: number; sideForce: number; aligningMoment: number; sideForceLimited: boolean; springAngle: number; springTorque: number; frictionTorque: number; damperForce: number; damperTorque: number }
 /** What every thrown `Error` carries besides its message. */
 export interface ErrorData { code: string; field: string; value: string; allowed: string; suggestion: string | null }

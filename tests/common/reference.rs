@@ -34,12 +34,26 @@ pub fn random() -> Json {
     serde_json::from_str(include_str!("../random-reference.json")).expect("a JSON file")
 }
 
-/// The trajectories of a file, but for those with a damper, which a run does not take.
+/// With dampers; the file says more.
+pub fn with_dampers() -> Json {
+    serde_json::from_str(include_str!("../damped-gear-reference.json")).expect("a JSON file")
+}
+
+/// The trajectories of a file, but for those with a damper, of which not all that others are asked for is asked.
 pub fn trajectories(file: &Json) -> Vec<Case> {
+    cases(file, false)
+}
+
+/// Those with a damper.
+pub fn damped(file: &Json) -> Vec<Case> {
+    cases(file, true)
+}
+
+fn cases(file: &Json, damped: bool) -> Vec<Case> {
     let cases = file["trajectories"].as_array().expect("a list");
     cases
         .iter()
-        .filter(|case| case["run"]["damper"].is_null())
+        .filter(|case| case["run"]["damper"].is_null() != damped)
         .map(|case| {
             let run = run(&case["run"]);
             let expect = |name: &str| case["expect"][name].as_array().expect("a series").iter().map(number).collect();
@@ -60,6 +74,12 @@ pub fn maps(file: &Json) -> Vec<(String, MapSpec, f64)> {
         (case["id"].as_str().expect("a name").to_owned(), spec, number(&case["stablePercent"]))
     };
     file["maps"].as_array().expect("a list").iter().map(of).collect()
+}
+
+/// What the source itself may be wrong by, where it says so.
+pub fn reference_error(file: &Json, id: &str) -> f64 {
+    let cases = file["trajectories"].as_array().expect("a list");
+    cases.iter().find(|case| case["id"] == id).and_then(|case| case["referenceError"].as_f64()).unwrap_or(0.0)
 }
 
 /// A run as a JavaScript caller would write it.

@@ -6,7 +6,10 @@ use crate::{
     cycles::flow::{Carrier, Flow, RTOL},
     error::Result,
     integrate::{Integrator, Method, Tolerance, failed},
-    model::{Gear, Model, Tables},
+    model::{
+        Gear, Model, Tables,
+        assembly::{self, STATES},
+    },
     outlook::{Ahead, End, STEPS},
     parameter::StateVariable,
     run::{Posed, Run},
@@ -64,9 +67,16 @@ pub(crate) type RunAt = Rc<dyn Fn(f64, f64) -> Result<Run>>;
 /// Parameters so extreme that the equations leave the numbers.
 pub(crate) fn family(run_at: &RunAt, first: [f64; 2]) -> Result<Box<dyn Family>> {
     let run = run_at(first[0], first[1])?;
+    let tables = run.description();
+    if !tables.parts.none() {
+        let Some(tables) = assembly::tables(tables.name, tables.parts) else {
+            unreachable!("a run is of listed parts")
+        };
+        return Ok(Box::new(posed::<_, STATES>(run_at, &run, first, tables)?));
+    }
     macro_rules! pose {
         ($($n:literal, $model:ty;)*) => {
-            $(if run.description().name == <$model>::NAME {
+            $(if tables.name == <$model>::NAME {
                 return Ok(Box::new(posed(run_at, &run, first, Tables::of::<$n, $model>())?));
             })*
         };
@@ -108,13 +118,9 @@ impl<S: Gear<N>, const N: usize> Varied<S, N> {
         (method, rtol): (Method, f64),
         states: &'static [StateVariable],
     ) -> Result<Self> {
-        let scale = std::array::from_fn(|i| states[i].scale);
+        let scale = states.iter().map(|state| state.scale).collect();
         let carrier = Carrier::new(make(values)?, method, rtol.min(RTOL), scale, 1.0, MOST_STEPS_A_PERIOD)?;
         Ok(Self { make, values, other: values[1], carrier, states })
-    }
-
-    fn own(&self, x: &[f64]) -> [f64; N] {
-        std::array::from_fn(|i| x[i] * self.states[i].scale)
     }
 }
 
@@ -141,14 +147,14 @@ impl<S: Gear<N>, const N: usize> Family for Varied<S, N> {
     }
 
     fn pieces(&self, x: &[f64]) -> u32 {
-        self.carrier.system().mode(0.0, &self.own(x)).0
+        self.carrier.system().mode(0.0, &self.carrier.own(x)).0
     }
 
     fn settling(&self, x: &[f64], horizon: f64) -> Result<Box<dyn Settling>> {
-        let absolute = std::array::from_fn(|i| SETTLING / 100.0 * self.states[i].scale);
-        let tolerance = Tolerance { relative: SETTLING, absolute };
+        let absolute: Vec<f64> = self.states.iter().map(|state| SETTLING / 100.0 * state.scale).collect();
+        let tolerance = Tolerance::of(SETTLING, &absolute);
         let system = self.carrier.system().clone();
-        let motion = Integrator::new(system, Method::Auto, tolerance, 1.0, horizon / 20.0, self.own(x))
+        let motion = Integrator::new(system, Method::Auto, tolerance, 1.0, horizon / 20.0, self.carrier.own(x))
             .map_err(|failure| failed(failure, 0.0))?;
         Ok(Box::new(Ahead::of(motion, self.states, horizon, MOST_STEPS)))
     }

@@ -41,7 +41,7 @@ impl RestBranch {
         while self.value.len() < end {
             let value = place(line, crossings, self.value.len());
             let at = line.rest(value)?;
-            let values = at.eigenvalues()?;
+            let values = at.deciding()?;
             let crosses = crossings.contains(&value);
             self.value.push(value);
             self.states.iter_mut().zip(&at.equilibrium).for_each(|(column, x)| column.push(*x));

@@ -43,14 +43,14 @@ impl BifurcationSpec {
         Self { run, variation, cycle: None, points: POINTS, step: STEP, tolerance: TOLERANCE, probes: PROBES }
     }
 
-    /// Reads a record `{model, parameters, friction, parameter, from, to, linked, cycle: {period, state, value}, points, step, tolerance,
+    /// Reads a record `{model, parameters, friction, damper, parameter, from, to, linked, cycle: {period, state, value}, points, step, tolerance,
     /// probes}`.
     ///
     /// # Errors
     /// Anything but known keys with valid values; the error names the field. Names and ranges are checked against the model
     /// when it begins.
     pub fn read(input: &Value) -> Result<Self> {
-        const RUN: [&str; 3] = ["model", "parameters", "friction"];
+        const RUN: [&str; 4] = ["model", "parameters", "friction", "damper"];
         const RANGE: [&str; 4] = ["parameter", "from", "to", "linked"];
         const OWN: [&str; 5] = ["cycle", "points", "step", "tolerance", "probes"];
         let fields = Fields::of("bifurcation", input, &[RUN.as_slice(), &RANGE, &OWN].concat())?;

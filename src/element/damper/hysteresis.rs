@@ -79,6 +79,16 @@ impl Hysteresis {
         -self.power(z) * (if against { self.beta - self.gamma } else { self.beta + self.gamma }) + self.amplitude
     }
 
+    /// dz/dx on a branch, and going on smoothly beyond the end of it.
+    #[inline(always)]
+    pub fn slope_on<R: Real>(&self, course: Course, z: R) -> R {
+        let bend = match course {
+            Course::Away => self.beta + self.gamma,
+            Course::Back => self.beta - self.gamma,
+        };
+        -self.power(z) * bend + self.amplitude
+    }
+
     /// |z|ⁿ
     #[inline(always)]
     fn power<R: Real>(&self, z: R) -> R {

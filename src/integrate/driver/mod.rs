@@ -17,7 +17,13 @@ use super::{
     rodas, runge_kutta4,
     stages::{Attempt, MOST, Stages},
 };
-use crate::model::{Mode, System};
+use crate::{
+    few::padded,
+    model::{Mode, System},
+};
+
+/// The longest fixed step in terms of what fades: the rate times it.
+const FADING: f64 = 2.0;
 
 /// What a step may be wrong by: rtol·|x| + atol in each component, as a root mean square.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +32,14 @@ pub struct Tolerance<const N: usize> {
     pub relative: f64,
     /// Absolute, in the unit of each state.
     pub absolute: [f64; N],
+}
+
+impl<const N: usize> Tolerance<N> {
+    /// For as many states as there are absolute tolerances. Room that no state needs makes no mean smaller.
+    pub(crate) fn of(relative: f64, absolute: &[f64]) -> Self {
+        let share = (absolute.len() as f64 / N as f64).sqrt();
+        Self { relative: relative * share, absolute: padded(absolute, 1.0).map(|each: f64| each * share) }
+    }
 }
 
 /// What a run has cost.
@@ -59,6 +73,8 @@ pub enum Failure {
     Diverged,
     /// The step fell below what the time can resolve.
     StepTooSmall,
+    /// The fixed step is too long for something that fades faster.
+    StepTooLong,
 }
 
 /// A motion of a system: where it is, the step that led there, and what is needed to go on.
@@ -100,6 +116,8 @@ pub struct Integrator<S, const N: usize> {
     reached: [f64; N],
     length: f64,
     from_mode: Mode,
+    /// The state before the switch that ended the step.
+    landed: [f64; N],
     k: Stages<N>,
     start_rate: [f64; N],
     f: [f64; N],
@@ -146,6 +164,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             reached: x,
             length: 0.0,
             from_mode: Mode::default(),
+            landed: x,
             k: [[0.0; N]; MOST],
             start_rate: [0.0; N],
             f: [0.0; N],
@@ -278,6 +297,9 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             let mut h = self.h;
             if self.scheme == Scheme::RungeKutta4 {
                 h = self.to_grid();
+                if h * self.system.fading(self.mode, &self.x) > FADING {
+                    return Err(Failure::StepTooLong);
+                }
             }
             if h * 1.01 >= room {
                 h = room;

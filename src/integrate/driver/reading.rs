@@ -33,12 +33,12 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
     /// R. I. Leine, H. Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, section 7.3.
     pub(crate) fn jump(&self, which: usize) -> Option<([f64; N], [f64; N])> {
         const ROUNDING: f64 = 1e-9;
-        let before = self.system.rate(self.t, self.from_mode, &self.x);
+        let before = self.system.rate(self.t, self.from_mode, &self.landed);
         let jump: [f64; N] = std::array::from_fn(|i| self.f[i] - before[i]);
         if (0..N).all(|i| jump[i].abs() <= ROUNDING * (self.f[i].abs() + before[i].abs())) {
             return None;
         }
-        let normal = self.gradient(which, self.t, self.from_mode, &self.x)?;
+        let normal = self.gradient(which, self.t, self.from_mode, &self.landed)?;
         let speed: f64 = (0..N).map(|i| normal[i] * before[i]).sum();
         Some((jump, normal.map(|entry| entry / speed)))
     }

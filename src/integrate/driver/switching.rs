@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Most switches of a system: a bit each, and room for their values.
-const MOST_SWITCHES: usize = 8;
+const MOST_SWITCHES: usize = 16;
 
 /// Values and slopes of the switches at one moment, and a bit for each that applies in its mode.
 #[derive(Clone, Copy, Debug, Default)]
@@ -170,6 +170,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
             return Err(Failure::Diverged);
         }
         self.stats.events += 1;
+        self.landed = self.x;
         self.mode = self.system.cross(which, self.mode, &mut self.x);
         self.f = self.system.rate(self.t, self.mode, &self.x);
         self.stats.evaluations += 1;

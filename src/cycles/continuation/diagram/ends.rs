@@ -137,7 +137,7 @@ impl Bifurcation {
         let place = self.rest.value.iter().position(|other| *other == value).unwrap_or(0);
         let state = vector(self.rest.states.len(), &|i| self.rest.states[i][place]);
         let turning = std::f64::consts::TAU * frequency;
-        let mut values = self.line.rest(value).and_then(|at| at.eigenvalues()).unwrap_or_default();
+        let mut values = self.line.rest(value).and_then(|at| at.deciding()).unwrap_or_default();
         let off = |value: &Complex<f64>| value.re.abs() + (value.im.abs() - turning).abs();
         sort_few(&mut values, |a, b| off(a) < off(b));
         let unstable = values.iter().skip(2).filter(|value| value.re > 0.0).count();

@@ -43,7 +43,9 @@ impl Bifurcation {
                     low: line.from(),
                     high: line.to(),
                 };
-                let hopf = Hopf::of(&mut *self.family, &gear, &crossing)?;
+                // At rest among others that are as much at rest no cycle is born: near it all swing about another place.
+                let alone = self.line.rest(crossing.value)?.neutral == 0;
+                let hopf = if alone { Hopf::of(&mut *self.family, &gear, &crossing)? } else { None };
                 self.tasks.push(Task::Hopf(self.births.len()));
                 self.births.push(Birth { hopf, crossing, branch: None });
             } else {
@@ -134,7 +136,7 @@ impl Bifurcation {
         // The smallest start is for what grows.
         let size = match start.checked_sub(1) {
             Some(start) => LADDER[start],
-            None if rest.eigenvalues()?[0].re > 0.0 => SMALL,
+            None if rest.deciding()?[0].re > 0.0 => SMALL,
             None => return Ok(None),
         };
         let mut x = self.scaled(&rest.equilibrium);
