@@ -7,7 +7,7 @@ test('on the limit cycle the tire feeds in what damper and tread take out', () =
   const initial = Object.fromEntries(STATES.map((state) => [state, orbit[state][0]]));
   const energy = shimmy.energy({ ...SHIMMY, initial });
   assert.ok(energy);
-  assert.deepEqual(Object.keys(energy), ['duration', 'tire', 'damper', 'treadWidth', 'friction', 'kinetic', 'spring', 'stored']);
+  assert.deepEqual(Object.keys(energy), ['duration', 'tire', 'damper', 'treadWidth', 'friction', 'mrDamper', 'kinetic', 'spring', 'stored']);
   assert.ok(Math.abs(energy.duration * Number(frequency) - 1) < 1e-6);
   assert.ok(Math.abs(energy.tire / (energy.damper + energy.treadWidth) - 1) < 1e-6, JSON.stringify(energy));
   // Half the square of the largest rate, over a period, is what a pure sine would lose.

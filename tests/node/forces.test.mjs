@@ -43,7 +43,7 @@ test('the linear gear has straight laws and no limit', () => {
 test('along a motion they are the same, row by row', () => {
   const motion = shimmy.simulate({ ...SHIMMY, duration: 0.1, samples: 20 });
   const columns = shimmy.forcesAlong(SHIMMY, motion);
-  assert.deepEqual(Object.keys(columns), ['slipAngle', 'sideForce', 'aligningMoment', 'springTorque', 'frictionTorque']);
+  assert.deepEqual(Object.keys(columns), ['slipAngle', 'sideForce', 'aligningMoment', 'springTorque', 'frictionTorque', 'damperForce', 'damperTorque']);
   for (let row = 0; row < 20; row++) {
     const forces = shimmy.forces(SHIMMY, STATES.map((state) => motion[state][row]));
     for (const name of /** @type {(keyof typeof columns)[]} */ (Object.keys(columns))) assert.equal(columns[name][row], forces[name]);
