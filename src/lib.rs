@@ -37,7 +37,7 @@
 //! | module | holds |
 //! | --- | --- |
 //! | [`model`] | the gears: physics only, one file each, with their tables |
-//! | [`element`] | force laws that gears share: tire law, freeplay, dry friction |
+//! | [`element`] | force laws that gears share: tire law, freeplay, dry friction, magnetorheological dampers |
 //! | [`integrate`] | methods, dense output, switches, trajectories |
 //! | [`run`] | a run, checked; reading it from untyped input |
 //! | [`live`] | a motion that goes on, takes changes and finds back |
@@ -46,10 +46,11 @@
 //! | [`cycles`] | limit cycles and their neighbours, and how they come and go with a parameter |
 //! | [`outlook`] | what becomes of a motion: one word and its numbers |
 //! | [`ensemble`] | many motions at once: basins and sweeps |
+//! | [`identify`] | a damper's values from records of its force |
 //! | [`section`] | where a motion passes a section: Poincaré's map |
 //! | [`spectrum`] | the frequencies that a series is made of |
 //! | [`atlas`] | the figures and tables of the work that this implements |
-//! | [`parameter`], [`error`], [`real`] | tables, refusals, numbers |
+//! | [`parameter`], [`error`], [`real`], [`random`] | tables, refusals, numbers, chance |
 //!
 //! # Example
 //! ```
@@ -72,11 +73,13 @@ pub mod energy;
 pub mod ensemble;
 pub mod error;
 mod few;
+pub mod identify;
 pub mod integrate;
 pub mod live;
 pub mod model;
 pub mod outlook;
 pub mod parameter;
+pub mod random;
 pub mod real;
 pub mod run;
 pub mod section;

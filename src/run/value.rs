@@ -15,6 +15,8 @@ pub enum Value {
     Numbers(Vec<f64>),
     /// A list of texts only, and of some.
     Texts(Vec<String>),
+    /// A list of records only, and of some.
+    Records(Vec<Value>),
     /// A list of this many values of other or several kinds: no field takes one, so that is all there is to know.
     List(usize),
     /// Named values, in the order given.
@@ -33,6 +35,7 @@ impl Value {
             Value::Text(text) => format!("\"{}\"", text.chars().take(60).collect::<String>()),
             Value::Numbers(numbers) => format!("a list of {} numbers", numbers.len()),
             Value::Texts(texts) => format!("a list of {} texts", texts.len()),
+            Value::Records(records) => format!("a list of {} values", records.len()),
             Value::List(length) => format!("a list of {length} values"),
             Value::Record(_) => "a record".into(),
             Value::Other(kind) => (*kind).into(),

@@ -80,7 +80,7 @@ fn read(js: &JsValue, field: &str, depth: usize) -> Result<Value> {
         };
     }
     if is_array(js).map_err(|_| unreadable(field))? {
-        return list(js, field);
+        return list(js, field, depth);
     }
     if js.is_instance_of::<js_sys::Map>() {
         return Ok(Value::Other("a Map (give a plain object)"));
@@ -108,23 +108,35 @@ fn series(array: &Float64Array, field: &str) -> Result<Value> {
     Ok(Value::Numbers(if length == 0 { Vec::new() } else { array.to_vec() }))
 }
 
-fn list(js: &JsValue, field: &str) -> Result<Value> {
+fn list(js: &JsValue, field: &str, depth: usize) -> Result<Value> {
     let length = Reflect::get(js, &"length".into()).ok().and_then(|length| length.as_f64());
     let length = length.ok_or_else(|| unreadable(field))?;
     if !(0.0..=MOST_SAMPLES as f64).contains(&length) {
         return Err(too_long(field, length));
     }
-    let (mut numbers, mut texts) = (Vec::new(), Vec::new());
+    let (mut numbers, mut texts, mut records) = (Vec::new(), Vec::new(), Vec::new());
     for index in 0..length as u32 {
         let entry = Reflect::get_u32(js, index).map_err(|_| unreadable(field))?;
         match (entry.as_f64(), entry.as_string()) {
-            (Some(number), _) if texts.is_empty() => numbers.push(number),
+            (Some(number), _) if texts.is_empty() && records.is_empty() => numbers.push(number),
             // Names are few: a list of more is no list of names.
-            (_, Some(text)) if numbers.is_empty() && texts.len() < MOST_KEYS => texts.push(text),
+            (_, Some(text)) if numbers.is_empty() && records.is_empty() && texts.len() < MOST_KEYS => texts.push(text),
+            (None, None) if numbers.is_empty() && texts.is_empty() && records.len() < MOST_KEYS => {
+                match read(&entry, &format!("{field}[{index}]"), depth + 1)? {
+                    record @ Value::Record(_) => records.push(record),
+                    _ => return Ok(Value::List(length as usize)),
+                }
+            }
             _ => return Ok(Value::List(length as usize)),
         }
     }
-    Ok(if texts.is_empty() { Value::Numbers(numbers) } else { Value::Texts(texts) })
+    Ok(if !records.is_empty() {
+        Value::Records(records)
+    } else if texts.is_empty() {
+        Value::Numbers(numbers)
+    } else {
+        Value::Texts(texts)
+    })
 }
 
 fn record(js: &JsValue, field: &str, depth: usize) -> Result<Value> {

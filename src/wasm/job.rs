@@ -13,6 +13,7 @@ use crate::{
     cycles::{Bifurcation, BifurcationSpec, FoldCurves, FoldSpec},
     ensemble::{Basins, BasinsSpec, Sweep, SweepSpec},
     error::{Code, Error, Result, shown},
+    identify::{Identification, IdentificationSpec},
     run::Value,
     stability::{MapSpec, StabilityMap},
 };
@@ -55,6 +56,7 @@ work! {
     FoldCurves: |curves: &Self| Ok(list(curves.curves(), output::fold_curve));
     Basins: |basins| Ok(output::basins(basins));
     Sweep: |sweep| Ok(output::sweep(sweep));
+    Identification: super::identify::progress;
 }
 
 /// A kind of jobs.
@@ -65,7 +67,7 @@ struct Kind {
     begin: fn(&Value) -> Result<Box<dyn Work>>,
 }
 
-const KINDS: [Kind; 5] = [
+const KINDS: [Kind; 6] = [
     Kind { name: "stabilityMap", spec: "map", begin: |spec| Ok(Box::new(MapSpec::read(spec)?.begin())) },
     Kind {
         name: "bifurcation",
@@ -75,6 +77,11 @@ const KINDS: [Kind; 5] = [
     Kind { name: "foldCurve", spec: "plane", begin: |spec| Ok(Box::new(FoldSpec::read(spec)?.begin()?)) },
     Kind { name: "basins", spec: "basins", begin: |spec| Ok(Box::new(BasinsSpec::read(spec)?.begin())) },
     Kind { name: "sweep", spec: "sweep", begin: |spec| Ok(Box::new(SweepSpec::read(spec)?.begin())) },
+    Kind {
+        name: "identification",
+        spec: "identification",
+        begin: |spec| Ok(Box::new(IdentificationSpec::read(spec)?.begin())),
+    },
 ];
 
 /// The work of a kind before it begins.

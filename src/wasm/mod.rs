@@ -8,6 +8,7 @@ mod cycles;
 mod damper;
 pub(crate) mod digits;
 mod ensemble;
+mod identify;
 mod input;
 mod job;
 mod linear;
@@ -19,6 +20,7 @@ mod simulator;
 pub use cycles::{bifurcation, describing_function, fold_curve, limit_cycle};
 pub use damper::{damper_response, dampers};
 pub use ensemble::{basins, poincare, sweep};
+pub use identify::{Identification, damper_record, fitness, identifiability};
 pub use job::Job;
 pub use linear::{
     characteristic_polynomial, crossings, eigenmodes, eigenvalues, equilibrium, jacobian, routh_array, routh_hurwitz,

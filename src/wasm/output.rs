@@ -27,7 +27,7 @@ use crate::{
 
 /// The tables, as they are. Results are written field by field: serde's code for a type is several times theirs.
 pub(super) fn table(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    value.serialize(&serde_wasm_bindgen::Serializer::new()).map_err(JsValue::from)
+    value.serialize(&serde_wasm_bindgen::Serializer::new().serialize_maps_as_objects(true)).map_err(JsValue::from)
 }
 
 /// An `Error` with its data as properties.

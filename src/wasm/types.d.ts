@@ -458,6 +458,7 @@ export interface Jobs {
   foldCurve: { spec: FoldSpec; part: FoldCurve[]; result: FoldCurve[] };
   basins: { spec: BasinsSpec; part: Basins; result: Basins };
   sweep: { spec: SweepSpec; part: Sweep; result: Sweep };
+  identification: { spec: IdentificationSpec; part: Identified; result: Identified };
 }
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }
@@ -553,6 +554,68 @@ export interface DamperResponse {
   hysteresis: Float64Array;
   /** 0 of a damper without */
   internalDisplacement: Float64Array;
+}
+/** A record of a damper at a steady command and equal intervals, SI units. Without `velocity` the displacement is differentiated. `command`: the model's default where it is absent. */
+export interface DamperRecord {
+  displacement: Float64Array | number[];
+  velocity?: Float64Array | number[] | null;
+  force: Float64Array | number[];
+  command?: number | null;
+  /** s */
+  interval: number;
+}
+/** A record to be made. `noise`: its deviation in parts of the force's root mean square, 0; `seed`: 1. At least 8 samples. */
+export interface DamperRecordSpec extends DamperResponseSpec { noise?: number | null; seed?: number | null }
+/** A damper model's values to be found from records. */
+export interface IdentificationSpec {
+  model: string;
+  records: DamperRecord[];
+  /** by name [low, high]; equal ones hold a parameter. Of the others the table's min … max, but `exponent`, `commandRate` and `forceScale` stay at their defaults */
+  bounds?: Record<string, number[]> | null;
+  /** individuals, 4 … 10 000; 60 */
+  population?: number | null;
+  /** at most; 500 */
+  generations?: number | null;
+  /** a whole number < 2^53; 1 */
+  seed?: number | null;
+  /** the best is polished at the end; true */
+  polish?: boolean | null;
+}
+/** Where an identification has come to. Errors are rms(F − F̂)/rms(F) of all records together, null before there is one. */
+export interface Generation {
+  generation: number;
+  bestError: number | null;
+  meanError: number | null;
+  best: Record<string, number>;
+  polishing: boolean;
+  done: boolean;
+}
+/** A record's force by found values, and how far that is from the measured one. */
+export interface DamperFit { command: number; error: number; force: Float64Array }
+/** What an identification has found so far. With `model` and `parameters` it is a `Damper`. */
+export interface Identified {
+  model: string;
+  parameters: Record<string, number>;
+  error: number | null;
+  generation: number;
+  seed: number;
+  /** by generation, steps of the polish at the end */
+  history: { best: Float64Array; mean: Float64Array };
+  /** by record */
+  fits: DamperFit[];
+}
+/** What records fix of a damper's values, and what they do not. */
+export interface Identifiability {
+  /** of the individuals given */
+  errors: Float64Array;
+  /** which of them has the least */
+  best: number;
+  /** what was looked for. `spread`: how far apart the individuals are, `slack`: how far a value can go before the error grows to 1 % beside a perfect fit, the others following; both in parts of the bounds, on the scale on which it is looked for. `fixed`: it takes no part in a weak direction */
+  parameters: { name: string; value: number; range: [number, number]; spread: number; slack: number; fixed: boolean }[];
+  /** directions along which the forces hardly change, the weakest first: by how much, in parts of their root mean square a bounds' distance, and what takes part */
+  weak: { change: number; parts: Record<string, number> }[];
+  /** the best beside each record */
+  fits: DamperFit[];
 }
 /** What the links between parameters give. */
 export interface LinkedParameters { relaxationLength: number; treadWidthMomentConstant: number }

@@ -97,6 +97,9 @@ pub fn value(json: &Json) -> Value {
         Json::Bool(truth) => Value::Bool(*truth),
         Json::Number(_) => Value::Number(number(json)),
         Json::String(text) => Value::Text(text.clone()),
+        Json::Array(list) if list.first().is_some_and(Json::is_object) => {
+            Value::Records(list.iter().map(value).collect())
+        }
         Json::Array(list) => Value::Numbers(list.iter().map(number).collect()),
         Json::Object(entries) => Value::Record(entries.iter().map(|(key, json)| (key.clone(), value(json))).collect()),
     }

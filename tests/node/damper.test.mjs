@@ -16,7 +16,7 @@ test('a damper answers the motion of its piston', () => {
   const damper = { model: 'modified-bouc-wen', command: 1.5 };
   const loop = shimmy.damperResponse({ damper, excitation: { amplitude: 0.015, frequency: 2.5 }, cycles: 1.5, samples: 24 });
   assert.ok(Object.values(loop).every((column) => column instanceof Float64Array && column.length === 24));
-  assert.equal(loop.time[2], 0.05);
+  assert.ok(Math.abs(loop.time[2] - 0.05) < 1e-15);
   // SciPy's, from tests/damper-reference.json.
   assert.ok(Math.abs(loop.force[5] - -933.1657800199914) < 1e-5);
   assert.ok(Math.abs(loop.internalDisplacement[5] - 0.0031601797069228314) < 1e-11);

@@ -56,6 +56,11 @@ impl Hysteresis {
         self.exponent
     }
 
+    /// γ + β and β − γ: what bends the branches away and back.
+    pub fn bends(&self) -> [f64; 2] {
+        [self.beta + self.gamma, self.beta - self.gamma]
+    }
+
     /// z_max, at which z saturates.
     pub fn saturation(&self) -> f64 {
         (self.amplitude / (self.beta + self.gamma)).powf(1.0 / self.exponent)
