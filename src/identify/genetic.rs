@@ -2,8 +2,6 @@
 
 use crate::random::Random;
 
-/// The best of a generation live on as they are.
-const ELITE: usize = 2;
 /// Spread of children about their parents, and of mutants about themselves: the larger, the nearer (Deb's η).
 const CROSSOVER: f64 = 10.0;
 const MUTATION: f64 = 20.0;
@@ -37,9 +35,13 @@ pub(super) fn first(individuals: usize, genes: usize, random: &mut Random) -> Ve
 /// K. Deb, R. B. Agrawal, *Complex Systems* 9 (1995) 115–148; K. Deb, M. Goyal, *Computer Science and Informatics* 26 (1996)
 /// 30–45.
 pub(super) fn next(population: &[Vec<f64>], errors: &[f64], random: &mut Random) -> Vec<Vec<f64>> {
-    let mut order: Vec<usize> = (0..population.len()).collect();
-    order.sort_by(|a, b| errors[*a].total_cmp(&errors[*b]));
-    let mut children: Vec<Vec<f64>> = order.iter().take(ELITE).map(|best| population[*best].clone()).collect();
+    let least = |but: Option<usize>| {
+        let others = (0..errors.len()).filter(|i| Some(*i) != but);
+        others.min_by(|a, b| errors[*a].total_cmp(&errors[*b]))
+    };
+    let best = least(None);
+    let elite = best.into_iter().chain(least(best));
+    let mut children: Vec<Vec<f64>> = elite.map(|one| population[one].clone()).collect();
     while children.len() < population.len() {
         let mut parent = || {
             let (a, b) = (random.below(population.len()), random.below(population.len()));

@@ -1,6 +1,7 @@
 //! How the forces change with the genes: for polishing, and for what the records do not fix.
 
 use super::IdentificationSpec;
+use crate::few::sort_few;
 
 /// Step of the differences, in parts of a gene's range: small beside what matters, and far above rounding.
 const STEP: f64 = 1e-6;
@@ -73,7 +74,7 @@ pub(super) fn eigen(matrix: &[Vec<f64>]) -> Vec<(f64, Vec<f64>)> {
     }
     let mut pairs: Vec<(f64, Vec<f64>)> =
         vectors.into_iter().enumerate().map(|(i, vector)| (a[i][i], vector)).collect();
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_few(&mut pairs, |a, b| a.0 < b.0);
     pairs
 }
 

@@ -11,7 +11,7 @@ const JUMP: f64 = 0.05;
 /// Most times that the mean slope of z over a sample is looked for.
 const LOOKS: usize = 4;
 
-/// Calls `each` with the force at every sample, starting with z = 0 and w = 0.
+/// Appends the force at every sample to `forces`, starting with z = 0 and w = 0.
 ///
 /// # Method
 /// Between two samples the velocity is a straight line, or jumps where the displacement says so. Side by side z follows the displacement by its closed form, cut
@@ -22,14 +22,15 @@ const LOOKS: usize = 4;
 /// exact motion to some parts in a thousand where the element yields within a sample, and much nearer elsewhere.
 ///
 /// For n other than 1 and 2, z moves in four exponential steps a sample.
-pub(super) fn replay(damper: &Damper, record: &Record, mut each: impl FnMut(usize, f64)) {
+#[inline(never)]
+pub(super) fn replay(damper: &Damper, record: &Record, forces: &mut Vec<f64>) {
     let at = damper.coefficients(record.command);
     let element = Element::of(damper.hysteresis());
     let h = record.interval;
     let series = Series::of(&at);
     let (mut x0, mut v0) = (record.displacement[0], record.velocity[0]);
     let (mut z, mut s) = (0.0, x0);
-    each(0, damper.response(&at, x0, v0, z, x0 - s).force);
+    forces.push(damper.response(&at, x0, v0, z, x0 - s).force);
     for i in 1..record.len() {
         let (x, velocity) = (record.displacement[i], record.velocity[i]);
         let corner = corner(x - x0, v0, velocity, h);
@@ -52,7 +53,7 @@ pub(super) fn replay(damper: &Damper, record: &Record, mut each: impl FnMut(usiz
             };
             s = x;
         }
-        each(i, damper.response(&at, x, velocity, z, x - s).force);
+        forces.push(damper.response(&at, x, velocity, z, x - s).force);
         (x0, v0) = (x, velocity);
     }
 }

@@ -107,11 +107,13 @@ impl IdentificationSpec {
     pub fn error(&self, values: &[f64]) -> f64 {
         let Ok(damper) = self.damper.damper(values) else { return HOPELESS };
         let (mut sum, mut count) = (0.0, 0);
+        let mut forces = Vec::with_capacity(self.records.iter().map(Record::len).max().unwrap_or(0));
         for record in &self.records {
-            replay(&damper, record, |i, force| {
-                let off = force - record.force[i];
-                sum += off * off;
-            });
+            forces.clear();
+            replay(&damper, record, &mut forces);
+            for (force, measured) in forces.iter().zip(&record.force) {
+                sum += (force - measured) * (force - measured);
+            }
             count += record.len();
         }
         let error = (sum / count as f64).sqrt() / self.size;
@@ -123,7 +125,7 @@ impl IdentificationSpec {
         let damper = self.damper.damper(values).ok()?;
         let mut forces = Vec::new();
         for record in &self.records {
-            replay(&damper, record, |_, force| forces.push(force));
+            replay(&damper, record, &mut forces);
         }
         forces.iter().all(|force| force.is_finite()).then_some(forces)
     }
@@ -154,7 +156,7 @@ impl IdentificationSpec {
         let damper = self.damper.damper(values)?;
         let fit = |record: &Record| {
             let mut force = Vec::with_capacity(record.len());
-            replay(&damper, record, |_, value| force.push(value));
+            replay(&damper, record, &mut force);
             Error::unless_finite("force", &force)?;
             let off: Vec<f64> = force.iter().zip(&record.force).map(|(a, b)| a - b).collect();
             Ok(Fit { command: record.command, error: rms(&off) / rms(&record.force), force })
@@ -173,7 +175,10 @@ fn records(fields: &Fields, damper: &Description) -> Result<Vec<Record>> {
     let mut records = Vec::with_capacity(given.len());
     for (i, record) in given.iter().enumerate() {
         let read = Record::read(record, damper);
-        records.push(read.map_err(|error| error.within(&format!("records[{i}]")))?);
+        let place = format!("records[{i}]");
+        records.push(
+            read.map_err(|error| if error.field == "record" { error.called(&place) } else { error.within(&place) })?,
+        );
     }
     let samples: usize = records.iter().map(Record::len).sum();
     if samples > MOST {
