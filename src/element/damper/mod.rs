@@ -129,8 +129,8 @@ impl Description {
         if self.name == cubic::TABLES.name && !cubic::COMMANDS.contains(&command) {
             let allowed = format!(
                 "from {} to {} A: beyond, a damping is negative",
-                cubic::COMMANDS.start(),
-                cubic::COMMANDS.end()
+                shown(*cubic::COMMANDS.start()),
+                shown(*cubic::COMMANDS.end())
             );
             return Err(Error::new(Code::OutOfRange, "command", shown(command), allowed));
         }
