@@ -17,6 +17,7 @@ import { lenses } from './lens/lenses.js';
 import { noteOn } from './link/note.js';
 import { readLink, storyIn, strangersIn } from './link/read.js';
 import { writeLink } from './link/write.js';
+import { fitted } from './object/fittings.js';
 import { openingObject, openingParameters, openingRun } from './opening.js';
 import { settlingTime } from './run/fit.js';
 import { Ink } from './present/ink.js';
@@ -116,6 +117,12 @@ export class App {
   /** The parameters of the object as the page shows them. */
   get quantities() {
     return this.#quantitiesOf(this.state.object);
+  }
+
+  /** What can be fitted to the object. */
+  get fittings() {
+    const takes = (/** @type {import('./object/fittings.js').Fittings['damper']} */ damper) => this.models.some(({ name }) => name === fitted(this.state.object, { damper }));
+    return { damper: (this.engine?.dampers() ?? []).map(({ name }) => name).filter(takes) };
   }
 
   /** Where the gear is unstable as one value varies; null where nothing is known of that. @param {string} parameter */

@@ -114,7 +114,7 @@ export class Page extends LitElement {
           ${lensElement(lens, { voice, shows: views[lens] ?? '', views, isVeiled, quantities }, this.#lensArrived)}
           ${withoutWhy.includes(lens) ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
           ${app.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.all', { count: quantities.length })} .voice=${voice}
-            .quantities=${quantities} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
+            .object=${object} .fittings=${app.fittings} .quantities=${quantities} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
             .unstable=${app.unstable} .swings=${app.swings} .explained=${app.explained} .isVeiled=${isVeiled}></shimmy-drawer>` : ''}
           ${explained ? html`<shimmy-explanation role="dialog" aria-labelledby="explanation-name" .quantity=${explained} .model=${object}
             .voice=${voice}></shimmy-explanation>` : ''}

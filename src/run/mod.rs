@@ -13,6 +13,8 @@ pub use problem::Problem;
 pub(crate) use problem::{Posed, check_fixed_step};
 pub use value::Value;
 
+use serde::Serialize;
+
 use crate::{
     cycles::{Guess, LimitCycle},
     energy::Energy,
@@ -21,7 +23,7 @@ use crate::{
     live::Simulator,
     model::{self, Description, Parts},
     outlook::{HORIZON, Outlook},
-    parameter::Parameter,
+    parameter::{Parameter, StateVariable},
     section::{Section, SectionSpec},
 };
 
@@ -304,4 +306,19 @@ impl Run {
     fn table(&self) -> &'static [Parameter] {
         self.description().table
     }
+
+    /// What a run of this gear, with what is on it, has values for, and what its state is.
+    pub fn tables(&self) -> RunTables {
+        let Description { table, state, .. } = self.description();
+        RunTables { parameters: table, state }
+    }
+}
+
+/// The tables of a gear with what is on it: see [`Run::tables`].
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct RunTables {
+    /// Parameters of the model and, by dotted names, of its elements, in the order in which a run stores them.
+    pub parameters: &'static [Parameter],
+    /// State variables, in the order of the state.
+    pub state: &'static [StateVariable],
 }

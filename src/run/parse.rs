@@ -3,6 +3,7 @@
 use super::{Fields, Run, Value};
 use crate::{
     error::{Code, Error, Result, shown},
+    model,
     parameter::{Parameter, parameter_index},
 };
 
@@ -173,7 +174,7 @@ impl Run {
     }
 
     /// Reads a motion: a record with a list of numbers for every state, all of one length. What else a trajectory has
-    /// may be there.
+    /// may be there; a state of an element that is not there is zero.
     ///
     /// # Errors
     /// Anything but such a record; [`Run::forces_along`] looks at the numbers.
@@ -181,11 +182,17 @@ impl Run {
         let states = self.description().state;
         let known: Vec<_> = states.iter().map(|state| state.name).chain(["time", "events", "stats"]).collect();
         let fields = Fields::of("columns", input, &known)?;
-        let column = |name: &str| {
-            let missing = || Error::missing(name, "a list of numbers");
-            fields.numbers(name)?.ok_or_else(missing)
-        };
-        states.iter().map(|state| column(state.name)).collect()
+        let own = model::named(self.model).map_or(0, |gear| gear.state.len());
+        let mut columns: Vec<Vec<f64>> = Vec::with_capacity(states.len());
+        for state in states {
+            let column = match (fields.numbers(state.name)?, columns.first()) {
+                (Some(column), _) => column,
+                (None, Some(first)) if columns.len() >= own => vec![0.0; first.len()],
+                _ => return Err(Error::missing(state.name, "a list of numbers")),
+            };
+            columns.push(column);
+        }
+        Ok(columns)
     }
 }
 

@@ -61,6 +61,13 @@ pub fn models() -> Result<JsValue, JsValue> {
     output::table(&model::list())
 }
 
+/// What a run of this gear, with what is on it, has values for, and what its state is.
+#[wasm_bindgen(js_name = runTables, unchecked_return_type = "RunTables")]
+pub fn run_tables(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) -> Result<JsValue, JsValue> {
+    let run = input::value(&run, "run").and_then(|value| Run::read(&value)).map_err(output::error)?;
+    output::table(&run.tables())
+}
+
 /// Table of all methods.
 #[wasm_bindgen(unchecked_return_type = "Method[]")]
 pub fn methods() -> Result<JsValue, JsValue> {

@@ -13,6 +13,8 @@ export interface Model {
   friction: Parameter[];
   state: StateVariable[];
 }
+/** The tables of a gear with what is on it: `parameters` of the model and, by dotted names, of its elements. */
+export interface RunTables { parameters: Parameter[]; state: StateVariable[] }
 /** A method of integration. `order` 0: depends on the run. */
 export interface Method { name: string; title: string; order: number; adaptive: boolean; stiff: boolean; doc: string }
 /** A run; only `model` is required. SI units. */
@@ -530,6 +532,8 @@ export interface DamperModel {
   state: StateVariable[];
   /** a current in A, or a voltage in V */
   command: Parameter;
+  /** whether the command enters: a model of one fixed command does without */
+  commanded: boolean;
   /** defaults that differ on a gear: what would preload it, or what is far too large for it */
   onGear: Record<string, number>;
 }

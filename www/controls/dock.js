@@ -10,7 +10,7 @@ import { symbolOf } from './symbol.js';
  */
 
 /** The knobs that are at hand where no story chooses others, the most telling first. An object that lacks one has the next. */
-export const usualKnobs = ['velocity', 'dampingConstant', 'casterLength', 'freeplayAngle', 'torsionalStiffness'];
+export const usualKnobs = ['velocity', 'damper.command', 'dampingConstant', 'casterLength', 'freeplayAngle', 'torsionalStiffness'];
 const mostKnobs = 4;
 /** A projector shows few things, and those large: where a gear has had a gap, that and what cures it. */
 const mostOnProjector = 2;

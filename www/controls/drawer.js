@@ -1,5 +1,6 @@
 import { LitElement, html } from 'lit';
 import { tell } from '../command.js';
+import { damperChoice } from '../object/fitting-choice.js';
 import { grouped } from './groups.js';
 import './knob.js';
 
@@ -11,6 +12,8 @@ import './knob.js';
 /** All values of the model, over the lens and never over the gear. Closed by the command `drawer`. */
 export class Drawer extends LitElement {
   static properties = {
+    object: { attribute: false },
+    fittings: { attribute: false },
     quantities: { attribute: false },
     values: { attribute: false },
     links: { attribute: false },
@@ -24,6 +27,9 @@ export class Drawer extends LitElement {
 
   constructor() {
     super();
+    this.object = '';
+    /** What can be fitted to it; nothing where it takes none. @type {Readonly<Record<'damper', readonly string[]>>} */
+    this.fittings = { damper: [] };
     /** @type {Quantity[]} */ this.quantities = [];
     /** @type {Readonly<Record<string, number>>} */ this.values = {};
     /** Which values follow others. @type {Readonly<Record<string, boolean>>} */ this.links = {};
@@ -61,12 +67,18 @@ export class Drawer extends LitElement {
         <button type="button" class="framed" @click=${this.#close}>${voice.say('dock.close')}</button>
       </header>
       <div class="drawer-knobs">
-        ${grouped(this.quantities).map(({ group, members }) => html`
+        ${this.#groups.map(({ group, members }) => html`
           <section aria-label=${voice.say(`group.${group}`)}>
             <h3>${voice.say(`group.${group}`)}</h3>
+            ${group === 'damper' ? damperChoice(this.fittings.damper, this.object, voice, this) : ''}
             ${members.map((quantity) => this.#knob(quantity, voice))}
           </section>`)}
       </div>`;
+  }
+
+  /** The groups, and the damper's where one could be fitted. */
+  get #groups() {
+    return grouped(this.quantities, this.fittings.damper.length > 0 ? ['damper'] : []);
   }
 
   /** @param {Quantity} quantity @param {Voice} voice */

@@ -2,7 +2,7 @@
  * The equations of the models, typeset: those that the engine computes (src/model/), written as its papers write them.
  * Each is asked for with the one symbol that is to be lit in it.
  *
- * A further model is a function here and its line in `models`, below.
+ * A further model is a function here and its line in `models`, below; a damper's are in damper-equations.js.
  *
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {import('./mathml.js').Math} Math
@@ -11,6 +11,8 @@
  */
 
 import { mathml, nothing } from 'lit';
+import { fittingsOf } from '../object/fittings.js';
+import { dampers, legendOfDamper } from './damper-equations.js';
 import { bracketed, cases, compared, dotted, equal, fraction, minus, named, negative, number, of, plus, product, sign, size, square, twiceDotted, typeset, written } from './mathml.js';
 
 /**
@@ -20,12 +22,17 @@ import { bracketed, cases, compared, dotted, equal, fraction, minus, named, nega
  * @param {Voice} voice
  */
 export function equationsOf(model, lit, voice) {
-  return (models[model]?.equations(symbols(lit), voice) ?? []).map(typeset);
+  const { gear, damper } = fittingsOf(model);
+  const p = symbols(lit);
+  const isDamped = dampers[damper] !== undefined;
+  const all = [models[gear]?.equations(p, voice, isDamped) ?? [], dampers[damper]?.(p) ?? []];
+  return all.flat().map(typeset);
 }
 
 /** The variables that are no parameters, and what each is. @param {string} model @returns {readonly Legend[]} */
 export function legendOf(model) {
-  return models[model]?.legend ?? [];
+  const { gear, damper } = fittingsOf(model);
+  return [...models[gear]?.legend ?? [], ...(dampers[damper] ? legendOfDamper(damper) : [])];
 }
 
 /**
@@ -54,7 +61,7 @@ const forces = [
   { symbol: 'M_z', word: 'equation.aligningMoment' }, { symbol: 's', word: 'equation.springAngle' },
 ];
 
-/** @type {Readonly<Record<string, { equations: (p: Symbols, voice: Voice) => Math[], legend: readonly Legend[] }>>} */
+/** @type {Readonly<Record<string, { equations: (p: Symbols, voice: Voice, isDamped: boolean) => Math[], legend: readonly Legend[] }>>} */
 const models = {
   torsional: { equations: torsional, legend: [...motion, ...forces] },
   'torsional-linear': { equations: torsionalLinear, legend: motion },
@@ -66,15 +73,15 @@ const relations = {
   treadWidthMomentConstant: (p, voice) => equal(p('κ'), plus(number(voice.number(0.15, 2)), square(p('a')), p('c_Fα'), p('F_z'))),
 };
 
-/** @param {Symbols} p @param {Voice} voice @returns {Math[]} */
-function torsional(p, voice) {
+/** @param {Symbols} p @param {Voice} voice @param {boolean} isDamped @returns {Math[]} */
+function torsional(p, voice, isDamped) {
   const [psi, y, alpha] = ['ψ', 'y', 'α'].map(written);
   const [sideForce, aligningMoment] = ['F_y', 'M_z'].map(written);
   const beyond = mathml`<mtext>${voice.say('equation.beyond')}</mtext>`;
   const within = mathml`<mtext>${voice.say('equation.within')}</mtext>`;
   return [
     equal(product(p('I_z'), twiceDotted(psi)), minus(p('k'), of(written('s'), psi)), minus(p('c'), dotted(psi)),
-      minus(fraction(p('κ'), p('v')), dotted(psi)), plus(aligningMoment), minus(p('e'), sideForce), minus(written('R'))),
+      minus(fraction(p('κ'), p('v')), dotted(psi)), plus(aligningMoment), minus(p('e'), sideForce), minus(written('R')), ...damperMoment(isDamped)),
     kinematics(p),
     equal(alpha, plus(of(named('arctan'), compared(y, '/', p('σ'))))),
     equal(sideForce, cases(
@@ -93,17 +100,20 @@ function torsional(p, voice) {
   ];
 }
 
-/** @param {Symbols} p @returns {Math[]} */
-function torsionalLinear(p) {
+/** @param {Symbols} p @param {Voice} _ @param {boolean} isDamped @returns {Math[]} */
+function torsionalLinear(p, _, isDamped) {
   const psi = written('ψ');
   const slope = mathml`${p('c_Mα')}<mo>+</mo>${product(p('e'), p('c_Fα'))}`;
   return [
     equal(product(p('I_z'), twiceDotted(psi)), minus(p('k'), psi), minus(p('c'), dotted(psi)),
-      minus(fraction(p('κ'), p('v')), dotted(psi)), minus(bracketed(slope), p('F_z'), fraction(written('y'), p('σ'))), minus(written('R'))),
+      minus(fraction(p('κ'), p('v')), dotted(psi)), minus(bracketed(slope), p('F_z'), fraction(written('y'), p('σ'))), minus(written('R')), ...damperMoment(isDamped)),
     kinematics(p),
     friction(p),
   ];
 }
+
+/** @param {boolean} isDamped */
+const damperMoment = (isDamped) => (isDamped ? [minus(written('M_d'))] : []);
 
 /** What dry friction does: at rest whatever holds the wheel, within its limits. @param {Symbols} p */
 function friction(p) {

@@ -48,6 +48,11 @@ export function power(math, exponent) {
   return mathml`<msup><mrow>${math}</mrow><mn>${exponent}</mn></msup>`;
 }
 
+/** @param {Math} math @param {Math} exponent */
+export function raised(math, exponent) {
+  return mathml`<msup><mrow>${math}</mrow><mrow>${exponent}</mrow></msup>`;
+}
+
 /**
  * A number of any size: from a million on, and below a thousandth, as a power of ten.
  * @param {number} value

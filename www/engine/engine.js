@@ -15,6 +15,7 @@
  */
 
 import init, * as engine from '../pkg/shimmy.js';
+import { askedInNames } from './fitted.js';
 import address from '../pkg/shimmy_bg.wasm?url';
 
 /** @type {Promise<WebAssembly.Module> | null} */
@@ -26,7 +27,7 @@ let loading = null;
 export function loadEngine() {
   loading ??= compiledEngine().then(async (module) => {
     await init({ module_or_path: module });
-    return engine;
+    return askedInNames(engine);
   });
   return loading;
 }

@@ -6,10 +6,11 @@
  */
 
 import { initSync, Job } from '../pkg/shimmy.js';
+import { plain } from './fitted.js';
 import { Slices, transferable } from './slices.js';
 
 const slices = new Slices(
-  (kind, spec) => new Job(/** @type {any} */ (kind), /** @type {any} */ (spec)),
+  (kind, spec) => new Job(/** @type {any} */ (kind), /** @type {any} */ (plain(spec))),
   (told) => postMessage(told, { transfer: transferable(told) }),
 );
 

@@ -1,5 +1,6 @@
 import { html } from 'lit';
 import { tell } from '../command.js';
+import { fittingsOf } from './fittings.js';
 import { objects } from './objects.js';
 
 /**
@@ -9,12 +10,13 @@ import { objects } from './objects.js';
  * @param {EventTarget} element where it is told
  */
 export function objectChooser(object, voice, element) {
+  const { gear } = fittingsOf(object);
   const choose = (/** @type {Event} */ event) => tell(element, 'object', /** @type {HTMLSelectElement} */ (event.target).value);
   return html`
     <select class="framed object" aria-label=${voice.say('object.name')} @change=${choose}>
       ${objects.map(({ group, of }) => html`<optgroup label=${voice.say(`object.${group}`)}>${of.map((one) => {
         const word = voice.say(`object.${one.name}`);
-        return html`<option value=${one.name} .selected=${one.name === object} ?disabled=${!('ready' in one)}>${
+        return html`<option value=${one.name} .selected=${one.name === gear} ?disabled=${!('ready' in one)}>${
           'ready' in one ? word : voice.say('object.later', { object: word })}</option>`;
       })}</optgroup>`)}
     </select>`;

@@ -8,7 +8,10 @@
  * @typedef {Pick<State, 'object' | 'parameters' | 'links'>} Gear
  */
 
-/** The model that is an object's linear theory. Its parameters are those that enter there: no others have a scent. */
+/**
+ * The model that is an object's linear theory. Its parameters are those that enter there: no others have a scent. With a
+ * hysteresis on it a gear at rest is held, and says nothing of how it swings once that yields: it has none.
+ */
 const linearised = /** @type {Readonly<Record<string, string>>} */ ({ torsional: 'torsional-linear', 'torsional-linear': 'torsional-linear' });
 
 export class LinearTheory {

@@ -135,9 +135,9 @@ function forceScale(engine, live, { outlook, frequency }) {
   const cycle = engine.simulate({ ...run, duration: 1 / (frequency ?? 50), samples: 60, rtol: 1e-6 });
   let force = 1;
   let moment = 1;
-  for (const { time, torsionAngle, torsionRate, lateralDeformation } of [cycle, outlook.orbit]) {
-    if (time.length === 0) continue;
-    const { sideForce, aligningMoment } = engine.forcesAlong(run, { time, torsionAngle, torsionRate, lateralDeformation });
+  for (const motion of [cycle, outlook.orbit]) {
+    if (motion.time.length === 0) continue;
+    const { sideForce, aligningMoment } = engine.forcesAlong(run, motion);
     force = sideForce.reduce((most, value) => Math.max(most, Math.abs(value)), force);
     moment = aligningMoment.reduce((most, value) => Math.max(most, Math.abs(value)), moment);
   }

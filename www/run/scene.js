@@ -126,9 +126,9 @@ function looksFurther(engine, live, beat) {
     /** Least and largest slip and torsion angle of the last cycle; null where there is none yet. */
     lastCycle: () => {
       if (time - beat < earliest) return null;
-      const { time: times, torsionAngle, torsionRate, lateralDeformation } = live.history(time - beat, time, samplesPerCycle);
-      const { slipAngle } = engine.forcesAlong(model, { time: times, torsionAngle, torsionRate, lateralDeformation });
-      return { slipAngle: rangeOf(slipAngle), torsionAngle: rangeOf(torsionAngle) };
+      const cycle = live.history(time - beat, time, samplesPerCycle);
+      const { slipAngle } = engine.forcesAlong(model, cycle);
+      return { slipAngle: rangeOf(slipAngle), torsionAngle: rangeOf(cycle.torsionAngle) };
     },
     /** How far back the spectrum looks, in s; 0 just after the start. */
     spectrumSpan: cycles < fewestCycles ? 0 : cycles * beat,

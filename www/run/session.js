@@ -68,6 +68,11 @@ export class Session {
     return this.#live.time;
   }
 
+  /** The state by name, now. */
+  get stateByName() {
+    return this.#live.stateByName;
+  }
+
   /** How to begin the run again and come to where it is. */
   get recipe() {
     return this.#live.recipe;

@@ -3,8 +3,8 @@ import { decimalsFor } from '../words/number.js';
 /**
  * What the energy of a cycle says: which elements fed the swing, which took from it, and what is left.
  *
- * @typedef {'tire' | 'damper' | 'treadWidth' | 'friction'} Element
- * @typedef {{ tire: number, damper: number, treadWidth: number, friction?: number, stored: number }} Energy
+ * @typedef {'tire' | 'damper' | 'treadWidth' | 'friction' | 'mrDamper'} Element
+ * @typedef {{ tire: number, damper: number, treadWidth: number, friction?: number, mrDamper?: number, stored: number }} Energy
  *   in J over one cycle: `tire` fed in, the others taken out, `stored` the rise of the swing's own energy
  * @typedef {{ element: Element, value: number }} Part
  * @typedef {{
@@ -24,8 +24,8 @@ const least = 1e-12;
 export function balanceOf(energy) {
   const nothing = /** @type {const} */ ({ trend: 'rests', fed: [], taken: [], rest: 0, whole: 0 });
   if (!energy) return { ...nothing, fed: [], taken: [] };
-  const { tire, damper, treadWidth, friction = 0, stored } = energy;
-  const flows = /** @type {[Element, number][]} */ ([['tire', tire], ['damper', -damper], ['treadWidth', -treadWidth], ['friction', -friction]]);
+  const { tire, damper, treadWidth, friction = 0, mrDamper = 0, stored } = energy;
+  const flows = /** @type {[Element, number][]} */ ([['tire', tire], ['damper', -damper], ['treadWidth', -treadWidth], ['friction', -friction], ['mrDamper', -mrDamper]]);
   // Any element may stand on either side: a tire takes energy out of a gear that it does not drive.
   const side = (/** @type {1 | -1} */ sign) =>
     flows.filter(([, value]) => sign * value > 0).map(([element, value]) => ({ element, value: sign * value }));

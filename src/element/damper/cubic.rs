@@ -64,6 +64,7 @@ pub(super) const TABLES: Description = Description {
         validity: Validity::Positive,
         ..CURRENT
     },
+    commanded: true,
     on_gear: &[("offset", 0.0), ("forceScale", 0.01)],
     make,
 };

@@ -91,6 +91,7 @@ pub(super) const TABLES: Description = Description {
         doc: "Current in the coil. The numbers that the model comes with were fitted from 0 to 1.5 A. Any value ≥ 0 is valid.",
         ..CURRENT
     },
+    commanded: true,
     on_gear: &[("preloadBase", 0.0), ("preloadSlope", 0.0)],
     make,
 };

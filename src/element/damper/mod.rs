@@ -63,6 +63,8 @@ pub struct Description {
     pub state: &'static [StateVariable],
     /// The command: a current, or a voltage.
     pub command: Parameter,
+    /// Whether the command enters: a model of one fixed command does without.
+    pub commanded: bool,
     /// Defaults that differ where the damper sits on a gear: what would preload it, or what is far too large for it.
     #[serde(serialize_with = "by_name")]
     pub on_gear: &'static [(&'static str, f64)],

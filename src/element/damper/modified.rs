@@ -57,12 +57,13 @@ pub(super) const TABLES: Description = Description {
     parameters: &PARAMETERS,
     state: &STATE,
     command: Parameter {
-        symbol: "u",
+        symbol: "v_cmd",
         unit: "V",
         max: 2.25,
         doc: "Voltage at the current driver (Spencer et al. 1997); on a gear a current, 1 A for 1 V. Any value ≥ 0 is valid.",
         ..CURRENT
     },
+    commanded: true,
     on_gear: &[("offset", 0.0)],
     make,
 };

@@ -53,6 +53,7 @@ pub(super) const TABLES: Description = Description {
         doc: "The model holds at one command, the one that its numbers were fitted at: it does not enter. Any value ≥ 0 is valid.",
         ..CURRENT
     },
+    commanded: false,
     on_gear: &[("offset", 0.0)],
     make,
 };

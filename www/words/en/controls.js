@@ -27,6 +27,9 @@ export const controls = {
   'group.gear': 'Gear',
   'group.tire': 'Tire',
   'group.freeplay': 'Freeplay',
+  'group.damper': 'MR damper',
+  'group.control': 'Control',
+  'group.landing': 'Landing roll',
   'group.others': 'Others',
 
   'scent.shimmies': 'shimmies',

@@ -35,10 +35,12 @@ export const plots = {
   'energy.damper': 'damper',
   'energy.treadWidth': 'tread',
   'energy.friction': 'friction',
+  'energy.mrDamper': 'MR damper',
   'energy.tire.full': 'The tire',
   'energy.damper.full': 'The damper',
   'energy.treadWidth.full': 'Tread width',
   'energy.friction.full': 'Friction',
+  'energy.mrDamper.full': 'MR damper',
   'energy.takes': '{element} takes {value}.',
 
   'compare.name': 'The run and its ghosts in numbers',

@@ -27,6 +27,9 @@ export const controls = {
   'group.gear': 'İniş takımı',
   'group.tire': 'Lastik',
   'group.freeplay': 'Boşluk',
+  'group.damper': 'MR sönümleyici',
+  'group.control': 'Denetim',
+  'group.landing': 'İniş koşusu',
   'group.others': 'Ötekiler',
 
   'scent.shimmies': 'shimmy var',

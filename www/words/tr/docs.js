@@ -1,3 +1,5 @@
+import { damperDocs } from './damper-docs.js';
+
 /** What the parameters mean, in Turkish, by their names in the engine's table. @type {Readonly<Record<string, string>>} */
 export const docs = {
   velocity: 'Taksi hızı; bir çalışma boyunca sabittir. ẏ = vψ + (e − a)ψ̇ − (v/σ)y denklemine, bir de sırtın sönümüne κ/v olarak girer (Somieski 1997). 0’dan büyük her değer geçerlidir.',
@@ -15,4 +17,5 @@ export const docs = {
   treadWidthMomentConstant: 'Sırtın genişliğinden gelen sönüm: momenti −(κ/v)ψ̇ (Somieski 1997; onun verilerinde κ = 0,15 a² c_Fα F_z). 0 ve üstündeki her değer geçerlidir.',
   'friction.moment': 'Dönme eksenindeki kuru sürtünme: momenti −M_f sign ψ̇; tekerlek dururken onu yerinde tutmaya yeten kadar, en çok M_f (Somieski 1997, k₀). Doğrusal kuram onu hesaba katmaz. 0 ve üstündeki her değer geçerlidir; 0, sürtünme yok demektir.',
   freeplayAngle: 'Boşluk; yayın etki etmediği aralığın yarısı: ±ψ_fp ötesinde s(ψ) = ψ − ψ_fp sign ψ, içinde 0 (Atabay 2012, böl. 6). 0 ve üstündeki her değer geçerlidir.',
+  ...damperDocs,
 };

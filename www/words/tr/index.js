@@ -2,6 +2,7 @@ import { atlas } from './atlas.js';
 import { controls } from './controls.js';
 import { cycles } from './cycles.js';
 import { damper } from './damper.js';
+import { fittings } from './fittings.js';
 import { lens } from './lens.js';
 import { out } from './out.js';
 import { page } from './page.js';
@@ -14,5 +15,5 @@ import { story } from './story.js';
 
 /** Every string of the page in Turkish. @type {typeof import('../en/index.js').en} */
 export const tr = {
-  ...atlas, ...controls, ...cycles, ...damper, ...lens, ...out, ...page, ...plots, ...present, ...presets, ...stability, ...stage, ...story,
+  ...atlas, ...controls, ...cycles, ...damper, ...fittings, ...lens, ...out, ...page, ...plots, ...present, ...presets, ...stability, ...stage, ...story,
 };

@@ -35,10 +35,12 @@ export const plots = {
   'energy.damper': 'sönümleyici',
   'energy.treadWidth': 'sırt',
   'energy.friction': 'sürtünme',
+  'energy.mrDamper': 'MR sönümleyici',
   'energy.tire.full': 'Lastik',
   'energy.damper.full': 'Sönümleyici',
   'energy.treadWidth.full': 'Sırt genişliği',
   'energy.friction.full': 'Sürtünme',
+  'energy.mrDamper.full': 'MR sönümleyici',
   'energy.takes': '{element} {value} alıyor.',
 
   'compare.name': 'Sayılarla bu çalışma ve hayaletleri',
