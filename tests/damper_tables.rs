@@ -50,7 +50,11 @@ fn what_would_feed_energy_in_is_refused_by_name() {
     assert_eq!(refused(cubic, &[("seriesDampingBase", -2.8e6)]), None);
     assert_eq!(refused(cubic, &[("seriesDampingBase", -4e6)]).unwrap(), "seriesDampingBase");
     let dependent = damper::named("current-dependent-bouc-wen").unwrap();
-    assert_eq!(refused(dependent, &[("stiffnessSlope", -1.0)]).unwrap(), "stiffnessSlope", "it falls for ever");
+    assert_eq!(
+        refused(dependent, &[("stiffnessSlope", -1.0), ("stiffnessSaturation", 0.0)]).unwrap(),
+        "stiffnessSlope",
+        "it falls for ever"
+    );
     assert_eq!(refused(dependent, &[("stiffnessSlope", -1.0), ("stiffnessSaturation", 1.0)]), None);
     assert_eq!(refused(dependent, &[("hysteresisGainSaturation", -1.0)]).unwrap(), "hysteresisGainSaturation");
 }
