@@ -74,6 +74,7 @@ function main() {
     ...(quick ? [] : native(tools.native, 'this-cpu', ...ALONE, ...THIS_CPU)),
     ...node('peers.js'),
     ...measure(tools.python, [join(BENCHES, 'peers.py')], tools.native),
+    ...measure(tools.python, [join(BENCHES, 'identification.py')], tools.native),
   ];
 
   const entries = /** @type {Entry[]} */ (lines.filter((line) => line.solver));
@@ -88,6 +89,7 @@ function main() {
   console.log(`\n${report.maps(lines.filter((line) => line.map).map((line) => line.map))}`);
   console.log(`\n${report.branches(lines.filter((line) => line.branch).map((line) => line.branch))}`);
   console.log(`\n${report.ensembles(lines.filter((line) => line.ensemble).map((line) => line.ensemble))}`);
+  console.log(`\n${report.identifications(lines.filter((line) => line.identification).map((line) => line.identification))}`);
   const rows = lines.filter((line) => line.row).map((line) => line.row);
   if (rows.length) console.log(`\n${report.workAndPrecision(rows)}`);
   console.log(`\n${report.warmUps(lines.filter((line) => line.warmUp).map((line) => line.warmUp))}`);

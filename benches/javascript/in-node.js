@@ -7,6 +7,7 @@ import init, * as shimmy from '../../www/pkg/shimmy.js';
 import { branches } from './branches.js';
 import { theCase } from './case.js';
 import { ensembles } from './ensembles.js';
+import { identifications } from './identification.js';
 import { maps } from './maps.js';
 import { ourEntry, warmUp, workAndPrecision } from './ours.js';
 
@@ -19,6 +20,7 @@ console.log(JSON.stringify(ourEntry(shimmy, theCase, place)));
 for (const map of maps(shimmy, place)) console.log(JSON.stringify({ map }));
 for (const branch of branches(shimmy, place)) console.log(JSON.stringify({ branch }));
 for (const ensemble of await ensembles(shimmy, place, module)) console.log(JSON.stringify({ ensemble }));
+for (const identification of identifications(shimmy, place)) console.log(JSON.stringify({ identification }));
 if (!process.argv.includes('--quick')) {
   for (const row of workAndPrecision(shimmy, theCase)) console.log(JSON.stringify({ row }));
 }

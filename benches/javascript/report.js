@@ -122,6 +122,14 @@ export function ensembles(rows) {
   ])}`;
 }
 
+/** @param {import('./identification.js').Row[]} rows */
+export function identifications(rows) {
+  const head = ['identifications', 'generations a second', 'goal'];
+  return `A damper's values from four records of 500 samples, 60 individuals, one core; the first 60 generations of a few seeds.\n${table([
+    head, ...rows.map(({ what, perSecond, goal }) => [what, count(Math.round(perSecond)), goal ?? '']),
+  ])}`;
+}
+
 /** @param {{ place: string, first: number, least: number }[]} all */
 export const warmUps = (all) =>
   all
