@@ -217,4 +217,5 @@ def main():
     print(f'{{"source": {json.dumps(source, ensure_ascii=False)},\n "trajectories": [\n{lines}\n]}}')
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -47,6 +47,7 @@
 //! | [`outlook`] | what becomes of a motion: one word and its numbers |
 //! | [`ensemble`] | many motions at once: basins and sweeps |
 //! | [`identify`] | a damper's values from records of its force |
+//! | [`scenario`] | what a gear goes through: the landing roll |
 //! | [`section`] | where a motion passes a section: Poincaré's map |
 //! | [`spectrum`] | the frequencies that a series is made of |
 //! | [`atlas`] | the figures and tables of the work that this implements |
@@ -82,6 +83,7 @@ pub mod parameter;
 pub mod random;
 pub mod real;
 pub mod run;
+pub mod scenario;
 pub mod section;
 pub mod spectrum;
 pub mod stability;

@@ -111,9 +111,9 @@ fn assert_sides_hold_where_they_are_said_to<M: Model<N>, const N: usize>() {
             let Some(value) = system.switch(which, 0.0, mode, &x) else { continue };
             assert!(value >= 0.0, "{}: switch {which} says {value} in the mode chosen at {x:?}", M::NAME);
             let mut there = x;
-            let across = system.cross(which, mode, &mut there);
+            let across = system.cross(which, 0.0, mode, &mut there);
             assert_ne!(across, mode);
-            assert_eq!(system.cross(which, across, &mut there), mode, "the way back is the same switch");
+            assert_eq!(system.cross(which, 0.0, across, &mut there), mode, "the way back is the same switch");
             assert_eq!(there, x, "no law of these holds a state");
             let beyond = system.switch(which, 0.0, across, &x).expect("the same surface seen from its other side");
             assert_eq!(beyond, -value);

@@ -24,5 +24,5 @@ mod trajectory;
 pub use driver::{Failure, Integrator, Outcome, Stats, Tolerance};
 pub(crate) use locate::bracketed;
 pub use method::{Method, MethodDescription, Scheme, methods};
-pub(crate) use trajectory::failed;
 pub use trajectory::{Events, Output, Trajectory, solve};
+pub(crate) use trajectory::{Solving, failed};

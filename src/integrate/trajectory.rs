@@ -3,6 +3,7 @@
 use super::{Failure, Integrator, Outcome, Stats, method::Scheme};
 use crate::{
     error::{Code, Error, Result, shown},
+    live::thin,
     model::System,
 };
 
@@ -15,6 +16,21 @@ pub enum Output {
     Samples(usize),
     /// At the solver's own steps, from 0 to the duration.
     Steps,
+    /// At the solver's own steps and where the first state turns, thinned to about so many rows, the least and greatest values
+    /// of every state among them: to be drawn.
+    Rows(usize),
+}
+
+impl Output {
+    /// How many times are wanted that are known beforehand.
+    #[inline(always)]
+    fn wanted(&self) -> usize {
+        match self {
+            Self::Times(times) => times.len(),
+            Self::Samples(samples) => *samples,
+            Self::Steps | Self::Rows(_) => 0,
+        }
+    }
 }
 
 /// A motion from its start to its end, column by column.
@@ -83,55 +99,127 @@ fn out_of_memory(rows: usize) -> Error {
 /// [`Code::StepLimit`] after `max_steps` steps, [`Code::Diverged`] and [`Code::StepTooSmall`] where the motion cannot go
 /// on; each names the time reached.
 pub fn solve<S: System<N>, const N: usize>(
-    mut motion: Integrator<S, N>,
+    motion: Integrator<S, N>,
     duration: f64,
     output: &Output,
     max_steps: u64,
 ) -> Result<Trajectory> {
-    let end = match output {
-        Output::Times(times) => times.last().copied().unwrap_or(0.0),
-        Output::Samples(_) | Output::Steps => duration,
-    };
-    let wanted = match output {
-        Output::Times(times) => times.len(),
-        Output::Samples(samples) => *samples,
-        Output::Steps => 0,
-    };
-    let time_of = |row: usize| match output {
-        Output::Times(times) => times[row],
-        Output::Samples(_) if row + 1 == wanted => duration,
-        Output::Samples(_) | Output::Steps => duration * row as f64 / (wanted - 1) as f64,
-    };
-    let mut columns = Columns::with_room(motion.system().width(), wanted.max(256))?;
-    let mut events = Events { kinds: S::EVENT_KINDS, ..Events::default() };
-    let mut row = 0;
-    while row < wanted && time_of(row) <= 0.0 {
-        columns.push(time_of(row), motion.state())?;
-        row += 1;
+    let mut way = Solving::new(motion, duration, output.clone(), max_steps)?;
+    while !way.advance(u64::MAX)? {}
+    Ok(way.trajectory())
+}
+
+/// A motion on its way, with what has been collected of it.
+pub(crate) struct Solving<S, const N: usize> {
+    motion: Integrator<S, N>,
+    output: Output,
+    duration: f64,
+    end: f64,
+    max_steps: u64,
+    columns: Columns,
+    events: Events,
+    /// The next of the times that are wanted.
+    row: usize,
+}
+
+impl<S: System<N>, const N: usize> Solving<S, N> {
+    /// At t = 0.
+    ///
+    /// # Errors
+    /// More rows than memory holds.
+    pub fn new(motion: Integrator<S, N>, duration: f64, output: Output, max_steps: u64) -> Result<Self> {
+        let end = match &output {
+            Output::Times(times) => times.last().copied().unwrap_or(0.0),
+            Output::Samples(_) | Output::Steps | Output::Rows(_) => duration,
+        };
+        let mut way = Self {
+            columns: Columns::with_room(motion.system().width(), output.wanted().max(256))?,
+            events: Events { kinds: S::EVENT_KINDS, ..Events::default() },
+            motion,
+            output,
+            duration,
+            end,
+            max_steps,
+            row: 0,
+        };
+        while way.row < way.output.wanted() && way.wanted_time() <= 0.0 {
+            way.columns.push(way.wanted_time(), way.motion.state())?;
+            way.row += 1;
+        }
+        if way.output.wanted() == 0 {
+            way.columns.push(0.0, way.motion.state())?;
+        }
+        Ok(way)
     }
-    if *output == Output::Steps {
-        columns.push(0.0, motion.state())?;
-    }
-    while motion.time() < end {
-        if motion.stats().steps >= max_steps {
-            return Err(Error::step_limit(motion.time(), max_steps));
-        }
-        let outcome = motion.step(end).map_err(|failure| failed(failure, motion.time()))?;
-        while row < wanted && time_of(row) <= motion.time() {
-            let t = time_of(row);
-            columns.push(t, &motion.interpolate(t))?;
-            row += 1;
-        }
-        if *output == Output::Steps && columns.time.last() != Some(&motion.time()) {
-            columns.push(motion.time(), motion.state())?;
-        }
-        if let Outcome::Switch(which) = outcome {
-            events.time.push(motion.time());
-            events.kind.push(motion.system().event_kind(which) as u8);
+
+    /// The next time that is wanted.
+    #[inline(always)]
+    fn wanted_time(&self) -> f64 {
+        match &self.output {
+            Output::Times(times) => times[self.row],
+            Output::Samples(wanted) if self.row + 1 == *wanted => self.duration,
+            output => self.duration * self.row as f64 / (output.wanted() - 1) as f64,
         }
     }
-    let Columns { time, states } = columns;
-    Ok(Trajectory { time, states, events, stats: motion.stats(), scheme: motion.scheme() })
+
+    /// Takes so many steps, or those that are left; says whether it has come to its end.
+    ///
+    /// # Errors
+    /// As [`solve`].
+    pub fn advance(&mut self, steps: u64) -> Result<bool> {
+        let wanted = self.output.wanted();
+        let before = self.motion.stats().steps;
+        while self.motion.time() < self.end && self.motion.stats().steps - before < steps {
+            if self.motion.stats().steps >= self.max_steps {
+                return Err(Error::step_limit(self.motion.time(), self.max_steps));
+            }
+            let outcome = self.motion.step(self.end).map_err(|failure| failed(failure, self.motion.time()))?;
+            while self.row < wanted && self.wanted_time() <= self.motion.time() {
+                let t = self.wanted_time();
+                self.columns.push(t, &self.motion.interpolate(t))?;
+                self.row += 1;
+            }
+            if wanted == 0 {
+                self.push_step()?;
+            }
+            if let Outcome::Switch(which) = outcome {
+                self.events.time.push(self.motion.time());
+                self.events.kind.push(self.motion.system().event_kind(which) as u8);
+            }
+        }
+        Ok(self.motion.time() >= self.end)
+    }
+
+    /// The end of a step, and where it is to be drawn the first state's turn on the way.
+    #[inline(always)]
+    fn push_step(&mut self) -> Result<()> {
+        if let Output::Rows(_) = self.output
+            && let Some((t, _)) = self.motion.turning_point(0)
+            && t < self.motion.time()
+        {
+            self.columns.push(t, &self.motion.interpolate(t))?;
+        }
+        if self.columns.time.last() != Some(&self.motion.time()) {
+            self.columns.push(self.motion.time(), self.motion.state())?;
+        }
+        Ok(())
+    }
+
+    /// The time that it has come to, in parts of the whole.
+    pub fn fraction(&self) -> f64 {
+        if self.end > 0.0 { (self.motion.time() / self.end).min(1.0) } else { 1.0 }
+    }
+
+    /// What there is of it.
+    pub fn trajectory(&self) -> Trajectory {
+        let Columns { time, states } = &self.columns;
+        let (mut time, mut states) = (time.clone(), states.clone());
+        if let Output::Rows(most) = self.output {
+            thin(&mut time, &mut states, most);
+        }
+        let (stats, scheme) = (self.motion.stats(), self.motion.scheme());
+        Trajectory { time, states, events: self.events.clone(), stats, scheme }
+    }
 }
 
 /// A failure as an error that names the time.

@@ -15,6 +15,7 @@ mod snapshot;
 
 pub(crate) use codec::Codec;
 pub(crate) use motion::Motion;
+pub(crate) use series::thin;
 pub use series::{Columns, Envelope};
 pub use simulator::{Live, Simulator};
 

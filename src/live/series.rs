@@ -56,14 +56,19 @@ impl Columns {
 
     /// Keeps about `most` rows, every column's peaks among them.
     pub(super) fn thin(&mut self, most: usize) {
-        let columns: Vec<&[f64]> = self.states.iter().map(Vec::as_slice).collect();
-        let kept = rows_to_keep(&columns, most);
-        for column in std::iter::once(&mut self.time).chain(&mut self.states) {
-            for (to, &from) in kept.iter().enumerate() {
-                column[to] = column[from];
-            }
-            column.truncate(kept.len());
+        thin(&mut self.time, &mut self.states, most);
+    }
+}
+
+/// Keeps about `most` rows, every column's peaks among them.
+pub(crate) fn thin(time: &mut Vec<f64>, states: &mut [Vec<f64>], most: usize) {
+    let columns: Vec<&[f64]> = states.iter().map(Vec::as_slice).collect();
+    let kept = rows_to_keep(&columns, most);
+    for column in std::iter::once(time).chain(states) {
+        for (to, &from) in kept.iter().enumerate() {
+            column[to] = column[from];
         }
+        column.truncate(kept.len());
     }
 }
 

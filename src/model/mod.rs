@@ -10,8 +10,8 @@ pub mod system;
 pub mod torsional;
 pub mod torsional_linear;
 
-pub(crate) use assembly::damper_on;
 pub use assembly::{Assembly, Parts};
+pub(crate) use assembly::{damper_on, roll};
 pub use system::{Gear, Mode, Model, System, Tables};
 pub use torsional::{Laned, Prepared, Torsional};
 pub use torsional_linear::TorsionalLinear;
@@ -20,7 +20,7 @@ use serde::Serialize;
 
 use self::laws::Laws;
 use crate::{
-    error::Result,
+    error::{Code, Error, Result},
     parameter::{Parameter, StateVariable},
     stability::{Linearisation, Polynomial, Surface, TorsionalTheory, at_rest},
 };
@@ -74,7 +74,7 @@ impl Description {
             friction: M::TABLE.split_at(M::PARAMETERS.len()).1,
             table: M::TABLE,
             state: M::STATE,
-            parts: Parts { damper: None },
+            parts: Parts::NONE,
             laws: M::laws,
             prepared: M::prepared,
             linear_theory: M::linear_theory,
@@ -109,7 +109,26 @@ impl Description {
     /// # Errors
     /// Those of a part that says which.
     pub(crate) fn check(&self, values: &[f64]) -> Result<()> {
-        assembly::damper_on(self, values, 1.0).map(drop)
+        assembly::damper_on(self, values, 1.0)?;
+        assembly::roll(self, values).map(drop)
+    }
+
+    /// That its equations do not change with the time.
+    ///
+    /// # Errors
+    /// A gear that slows down, or is on an uneven runway: `what` is not known of it.
+    pub(crate) fn check_steady(&self, what: &str) -> Result<()> {
+        if !self.parts.changes() {
+            return Ok(());
+        }
+        let (field, got) =
+            if self.parts.rolls { ("deceleration", "a landing roll") } else { ("disturbance", "an uneven runway") };
+        Err(Error::new(
+            Code::Unsuited,
+            field,
+            got,
+            format!("absent: {what} is that of a constant speed on an even runway"),
+        ))
     }
 
     /// Default values of all parameters, in table order, those of elements after them.

@@ -106,10 +106,10 @@ pub trait System<const N: usize>: Clone {
         true
     }
 
-    /// The mode after switch `which`, which has fallen through 0 at `x`. Where a law goes on from a definite place (a wheel
+    /// The mode after switch `which`, which has fallen through 0 at `t` and `x`. Where a law goes on from a definite place (a wheel
     /// that sticks does not turn), the state is brought there exactly, and by no more than it has been located to.
-    fn cross(&self, which: usize, mode: Mode, x: &mut [f64; N]) -> Mode {
-        let _ = (which, x);
+    fn cross(&self, which: usize, t: f64, mode: Mode, x: &mut [f64; N]) -> Mode {
+        let _ = (which, t, x);
         mode
     }
 

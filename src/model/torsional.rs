@@ -103,16 +103,16 @@ pub struct Torsional {
     tire: SteeringMoment,
 }
 
-/// The equations of motion, whatever gives the forces: of one gear, or of one in each lane.
+/// The equations of motion, whatever gives the forces: of one gear, of one in each lane, or of one whose speed changes.
 #[derive(Clone, Copy, Debug)]
-struct Motion<C> {
-    velocity: C,
+pub(super) struct Motion<C> {
+    pub velocity: C,
     /// e − a
-    lever: C,
+    pub lever: C,
     /// v/σ
-    relaxation_rate: C,
+    pub relaxation_rate: C,
     /// (c + κ/v)/I_z
-    damping: C,
+    pub damping: C,
 }
 
 impl<C: Copy> Motion<C> {
@@ -236,6 +236,20 @@ impl Torsional {
         self.motion.rate(x, known, self.tire.curve(x[Y], sides))
     }
 
+    /// The same while speed and weight change: `motion` is what holds now, `weight` the part of F_z that is on the wheel.
+    pub(super) fn rolled<R: Real>(&self, mode: Mode, x: &[R; 3], moment: R, motion: &Motion<R>, weight: R) -> [R; 3] {
+        let sides = mode.sides(SIDE_FORCE) | mode.sides(HELD);
+        let (stiffness, offset) = self.lines[(mode.sides(FREEPLAY) & 15) as usize];
+        let spring_and_friction = x[PSI] * stiffness + offset;
+        let known = spring_and_friction + moment - weight * self.tire.constant(sides);
+        motion.rate(x, known, self.tire.curve(x[Y], sides) * weight)
+    }
+
+    /// e − a \[m\] and 1/σ \[1/m\].
+    pub(super) fn lever_and_slip(&self) -> (f64, f64) {
+        (self.motion.lever, self.slip_ratio)
+    }
+
     /// The sides of the kinks, without friction.
     pub(super) fn sides(&self, x: &[f64; 3]) -> Mode {
         let q = x[Y] * self.slip_ratio;
@@ -313,7 +327,7 @@ impl System<3> for Torsional {
         !Self::rubs(mode, Rubbing::Absent)
     }
 
-    fn cross(&self, which: usize, mode: Mode, x: &mut [f64; 3]) -> Mode {
+    fn cross(&self, which: usize, _t: f64, mode: Mode, x: &mut [f64; 3]) -> Mode {
         if which >= STOP {
             return self.cross_friction(which, mode, x);
         }

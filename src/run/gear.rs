@@ -75,6 +75,7 @@ impl Run {
 
     /// The model's force laws.
     pub(crate) fn laws(&self) -> Result<Laws> {
+        self.description().check_steady("an account of forces")?;
         self.description().laws(&self.parameters).ok_or_else(|| Error::without(self.model, "force laws"))
     }
 }

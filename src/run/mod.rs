@@ -21,7 +21,7 @@ use crate::{
     error::{Code, Error, Result},
     integrate::{Method, Output, Scheme, Trajectory},
     live::Simulator,
-    model::{self, Description, Parts},
+    model::{self, Description, Parts, assembly::Roll},
     outlook::{HORIZON, Outlook},
     parameter::{Parameter, StateVariable},
     section::{Section, SectionSpec},
@@ -65,7 +65,7 @@ impl Run {
         })?;
         Ok(Self {
             model: description.name,
-            parts: Parts::default(),
+            parts: Parts::NONE,
             parameters: description.defaults(),
             initial: vec![0.0; description.state.len()],
             effective: false,
@@ -187,6 +187,15 @@ impl Run {
         Ok(self)
     }
 
+    /// With the solver's steps and the first state's turns, thinned to about `rows` for drawing: see [`Output::Rows`].
+    ///
+    /// # Errors
+    /// Not a whole number from 2 to 10⁷.
+    pub fn drawn(mut self, rows: f64) -> Result<Self> {
+        self.set_rows(rows)?;
+        Ok(self)
+    }
+
     /// The model's tables.
     pub fn description(&self) -> Description {
         model::assembled(self.model, self.parts).expect("a run is made for a listed model")
@@ -204,14 +213,38 @@ impl Run {
 
     /// How long it lasts, in s: to the last of its times, or its duration (2 s where none is given).
     pub fn duration(&self) -> f64 {
-        self.given_duration().unwrap_or(DURATION)
+        let own = || self.roll().map_or(DURATION, |roll| roll.duration());
+        self.given_duration().unwrap_or_else(own)
+    }
+
+    /// How its speed falls, where it does.
+    pub fn roll(&self) -> Option<Roll> {
+        model::roll(&self.description(), &self.parameters).ok().flatten()
+    }
+
+    /// As after touchdown: the speed falls from t = 0 on, with the roll's defaults.
+    ///
+    /// # Errors
+    /// A model that does not roll.
+    pub fn rolling(mut self) -> Result<Self> {
+        self.set_parts(Parts { rolls: true, ..self.parts })?;
+        Ok(self)
+    }
+
+    /// On an uneven runway, with its defaults.
+    ///
+    /// # Errors
+    /// A model that does not roll.
+    pub fn disturbed(mut self) -> Result<Self> {
+        self.set_parts(Parts { runway: true, ..self.parts })?;
+        Ok(self)
     }
 
     /// How long it lasts where it says so, in s.
     pub(crate) fn given_duration(&self) -> Option<f64> {
         match &self.output {
             Output::Times(times) => times.last().copied(),
-            Output::Samples(_) | Output::Steps => self.duration,
+            Output::Samples(_) | Output::Steps | Output::Rows(_) => self.duration,
         }
     }
 
@@ -259,6 +292,7 @@ impl Run {
     /// # Errors
     /// As [`Run::simulate`].
     pub fn outlook(&self) -> Result<Outlook> {
+        self.check_steady("an outlook")?;
         let mut lookout = self.problem().lookout()?;
         loop {
             if let Some(outlook) = lookout.advance()? {
@@ -281,6 +315,7 @@ impl Run {
     /// # Errors
     /// As [`Run::simulate`]; a model without force laws.
     pub fn energy(&self) -> Result<Option<Energy>> {
+        self.check_steady("an account of energy")?;
         self.problem().energy()
     }
 
@@ -299,8 +334,13 @@ impl Run {
     /// # Errors
     /// As [`Run::simulate`] and [`Run::eigenmodes`]; a guess that makes no sense.
     pub fn limit_cycle(&self, guess: Option<&Guess>) -> Result<Option<LimitCycle>> {
+        self.check_steady("a limit cycle")?;
         let guess = guess.map(|guess| guess.clone().checked(self)).transpose()?;
         self.problem().limit_cycle(guess.as_ref())
+    }
+
+    fn check_steady(&self, what: &str) -> Result<()> {
+        self.description().check_steady(what)
     }
 
     fn table(&self) -> &'static [Parameter] {

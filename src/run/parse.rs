@@ -3,12 +3,15 @@
 use super::{Fields, Run, Value};
 use crate::{
     error::{Code, Error, Result, shown},
-    model,
+    model::{
+        self,
+        assembly::{ROLL, RUNWAY},
+    },
     parameter::{Parameter, parameter_index},
 };
 
 /// The keys of a run.
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 20] = [
     "model",
     "parameters",
     "friction",
@@ -22,13 +25,20 @@ const KEYS: [&str; 13] = [
     "maxSteps",
     "times",
     "samples",
+    "rows",
+    "touchdownVelocity",
+    "deceleration",
+    "finalVelocity",
+    "liftFraction",
+    "linked",
+    "disturbance",
 ];
 
 /// The keys of a damper.
 const DAMPER: [&str; 4] = ["model", "leverArm", "command", "parameters"];
 
 /// Parts that a run may name as absent: none of the models has room for them.
-const ABSENT: [&str; 3] = ["tire", "control", "disturbance"];
+const ABSENT: [&str; 2] = ["tire", "control"];
 
 /// A number of a run: its key, what is allowed, what sets it.
 type NumberField = (&'static str, &'static str, fn(&mut Run, f64) -> Result<()>);
@@ -41,6 +51,7 @@ const TOLERANCES_AND_STEPS: [NumberField; 4] = [
     ("maxSteps", "a whole number from 1 to 1e9", Run::set_max_steps),
 ];
 const SAMPLES: NumberField = ("samples", "a whole number from 2 to 1e7", Run::set_samples);
+const ROWS: NumberField = ("rows", "a whole number from 2 to 1e7", Run::set_rows);
 
 impl Run {
     /// Reads a run from a record. A missing key takes its default, an absent value counts as missing.
@@ -77,6 +88,13 @@ impl Run {
         if let Some(damper) = &damper {
             run.read_damper(damper).map_err(|error| error.within("damper"))?;
         }
+        let mut parts = run.parts;
+        parts.rolls = ROLL.iter().any(|parameter| given(parameter.name).is_some());
+        if let Some(linked) = given("linked") {
+            parts.tread_follows = read_link(linked, parts.rolls)?;
+        }
+        parts.runway = given("disturbance").is_some();
+        run.set_parts(parts)?;
         if let Some(values) = given("parameters") {
             for (name, value) in present("parameters", values)? {
                 // Dotted names too, as a live motion gives its parameters.
@@ -89,6 +107,12 @@ impl Run {
         }
         if let Some(values) = given("friction") {
             run.read_element("friction", run.description().friction, values)?;
+        }
+        if let Some(values) = given("disturbance") {
+            run.read_element("disturbance", &RUNWAY, values)?;
+        }
+        if parts.rolls {
+            run.read_roll(&given)?;
         }
         if let Some(values) = given("initial") {
             for (name, value) in present("initial", values)? {
@@ -107,12 +131,18 @@ impl Run {
         }
         TOLERANCES_AND_STEPS.iter().try_for_each(|field| set(field, &mut run))?;
         if let Some(times) = given("times") {
-            if given("samples").is_some() {
-                return Err(Error::new(Code::OutOfRange, "samples", "both", "given without times: one of the two"));
+            for other in ["samples", "rows"] {
+                if given(other).is_some() {
+                    return Err(Error::new(Code::OutOfRange, other, "both", "given without times: one of the two"));
+                }
             }
             run.set_times(numbers("times", times)?)?;
         }
         set(&SAMPLES, &mut run)?;
+        if given("samples").is_some() && given("rows").is_some() {
+            return Err(Error::new(Code::OutOfRange, "rows", "both", "given without samples: one of the two"));
+        }
+        set(&ROWS, &mut run)?;
         Ok(run)
     }
 }
@@ -141,6 +171,18 @@ impl Run {
         if let Some(given) = fields.value("parameters") {
             for (name, value) in present("damper.parameters", given)? {
                 take(&format!("damper.parameters.{name}"), value)?;
+            }
+        }
+        self.set_parameters(&values)
+    }
+
+    /// Reads how the speed falls. The values are checked together once all are there.
+    fn read_roll<'a>(&mut self, given: &dyn Fn(&str) -> Option<&'a Value>) -> Result<()> {
+        let table = self.table();
+        let mut values = self.parameters.clone();
+        for Parameter { name, .. } in &ROLL {
+            if let Some(value) = given(name) {
+                values[parameter_index(table, name)?] = number_of(table, name, value)?;
             }
         }
         self.set_parameters(&values)
@@ -194,6 +236,17 @@ impl Run {
         }
         Ok(columns)
     }
+}
+
+/// Whether κ is to follow F_z: of a gear that slows down.
+fn read_link(linked: &Value, rolls: bool) -> Result<bool> {
+    if !rolls {
+        let allowed = "absent where nothing changes on the way: it is for a landing roll";
+        return Err(Error::new(Code::Unsuited, "linked", linked.shown(), allowed));
+    }
+    let fields = Fields::of("linked", linked, &["treadWidthMomentConstant"])?;
+    let follows = fields.truth("treadWidthMomentConstant").map_err(|error| error.within("linked"))?;
+    Ok(follows.unwrap_or(false))
 }
 
 #[inline(never)]

@@ -6,11 +6,11 @@ use crate::{
     energy::{self, Energy},
     error::{Code, Error, Result, shown, shown_short},
     few::padded,
-    integrate::{Integrator, Method, Scheme, Tolerance, Trajectory, failed, solve},
+    integrate::{Integrator, Method, Scheme, Solving, Tolerance, Trajectory, failed, solve},
     live::{Motion, Simulator},
     model::{
-        Gear, Model, Tables,
-        assembly::{self, STATES},
+        Assembly, Gear, Model, Tables,
+        assembly::{self, Roll, STATES},
     },
     outlook::{Looking, Lookout},
     section::{self, Section, SectionSpec},
@@ -79,6 +79,22 @@ impl Run {
     }
 }
 
+impl Run {
+    /// A run whose speed falls, at its start.
+    ///
+    /// # Errors
+    /// As [`Run::simulate`].
+    pub(crate) fn landing(&self) -> Result<(Solving<Assembly, STATES>, Roll)> {
+        let (Some(tables), Some(roll)) = (assembly::tables(self.model, self.parts), self.roll()) else {
+            unreachable!("it rolls")
+        };
+        let posed = Posed::<_, STATES>::new(self.clone(), tables);
+        posed.check_step_count(self.duration())?;
+        let motion = posed.motion(f64::INFINITY)?;
+        Ok((Solving::new(motion, self.duration(), self.output.clone(), self.max_steps)?, roll))
+    }
+}
+
 /// Largest |hλ| that the classical method takes without growing, least of all directions that matter (imaginary axis
 /// 2.83, real axis 2.79).
 const RK4_STABLE: f64 = 2.7;
@@ -125,6 +141,7 @@ impl<S: Gear<N>, const N: usize> Problem for Posed<S, N> {
     }
 
     fn lookout(&self) -> Result<Box<dyn Lookout>> {
+        self.run.check_steady("an outlook")?;
         Ok(Box::new(Looking::of(Posed::new(self.run.clone(), self.tables))?))
     }
 

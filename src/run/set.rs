@@ -47,7 +47,7 @@ impl Run {
     /// Puts a damper on the gear.
     pub(super) fn set_damper(&mut self, name: &str) -> Result<()> {
         let damper = damper::named(name)?;
-        self.assemble(Parts { damper: Some(damper.name) })
+        self.set_parts(Parts { damper: Some(damper.name), ..self.parts })
     }
 
     /// That a state may start like this.
@@ -59,7 +59,7 @@ impl Run {
     }
 
     /// Puts parts on the gear; values that it has had before stay.
-    fn assemble(&mut self, parts: Parts) -> Result<()> {
+    pub(super) fn set_parts(&mut self, parts: Parts) -> Result<()> {
         let before = self.description();
         self.parts = parts;
         let after = self.description();
@@ -135,13 +135,23 @@ impl Run {
     }
 
     pub(super) fn set_samples(&mut self, samples: f64) -> Result<()> {
-        if !(2.0..=MOST_SAMPLES as f64).contains(&samples) || samples.fract() != 0.0 {
-            let code = if samples > MOST_SAMPLES as f64 { Code::TooLarge } else { Code::OutOfRange };
-            return Err(Error::new(code, "samples", shown(samples), "a whole number from 2 to 1e7"));
-        }
-        self.output = Output::Samples(samples as usize);
+        self.output = Output::Samples(many("samples", samples)?);
         Ok(())
     }
+
+    pub(super) fn set_rows(&mut self, rows: f64) -> Result<()> {
+        self.output = Output::Rows(many("rows", rows)?);
+        Ok(())
+    }
+}
+
+/// A number of rows.
+fn many(field: &str, count: f64) -> Result<usize> {
+    if !(2.0..=MOST_SAMPLES as f64).contains(&count) || count.fract() != 0.0 {
+        let code = if count > MOST_SAMPLES as f64 { Code::TooLarge } else { Code::OutOfRange };
+        return Err(Error::new(code, field, shown(count), "a whole number from 2 to 1e7"));
+    }
+    Ok(count as usize)
 }
 
 fn check_times(times: &[f64]) -> Result<()> {

@@ -15,6 +15,7 @@ use crate::{
     error::{Code, Error, Result, shown},
     identify::{Identification, IdentificationSpec},
     run::Value,
+    scenario::LandingRoll,
     stability::{MapSpec, StabilityMap},
 };
 
@@ -57,6 +58,7 @@ work! {
     Basins: |basins| Ok(output::basins(basins));
     Sweep: |sweep| Ok(output::sweep(sweep));
     Identification: super::identify::progress;
+    LandingRoll: |roll: &Self| Ok(output::landing(roll.run(), &roll.landing()));
 }
 
 /// A kind of jobs.
@@ -67,7 +69,7 @@ struct Kind {
     begin: fn(&Value) -> Result<Box<dyn Work>>,
 }
 
-const KINDS: [Kind; 6] = [
+const KINDS: [Kind; 7] = [
     Kind { name: "stabilityMap", spec: "map", begin: |spec| Ok(Box::new(MapSpec::read(spec)?.begin())) },
     Kind {
         name: "bifurcation",
@@ -76,6 +78,7 @@ const KINDS: [Kind; 6] = [
     },
     Kind { name: "foldCurve", spec: "plane", begin: |spec| Ok(Box::new(FoldSpec::read(spec)?.begin()?)) },
     Kind { name: "basins", spec: "basins", begin: |spec| Ok(Box::new(BasinsSpec::read(spec)?.begin())) },
+    Kind { name: "landingRoll", spec: "run", begin: |spec| Ok(Box::new(LandingRoll::read(spec)?)) },
     Kind { name: "sweep", spec: "sweep", begin: |spec| Ok(Box::new(SweepSpec::read(spec)?.begin())) },
     Kind {
         name: "identification",

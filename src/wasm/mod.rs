@@ -15,6 +15,7 @@ mod linear;
 mod output;
 mod plane;
 mod record;
+mod scenario;
 mod simulator;
 
 pub use cycles::{bifurcation, describing_function, fold_curve, limit_cycle};
@@ -27,6 +28,7 @@ pub use linear::{
     unstable_intervals,
 };
 pub use plane::{hopf_curve, stability_map};
+pub use scenario::landing_roll;
 pub use simulator::Simulator;
 
 use std::cell::RefCell;

@@ -18,6 +18,7 @@ use crate::{
     },
     outlook::Outlook,
     parameter::StateVariable,
+    scenario::Landing,
     section::Section,
     spectrum::Spectrum,
     stability::{
@@ -66,12 +67,21 @@ pub(super) fn envelope(envelope: &Envelope) -> JsValue {
 }
 
 pub(super) fn trajectory(run: &Run, trajectory: &Trajectory) -> JsValue {
+    trajectory_of(run, trajectory).done()
+}
+
+/// A trajectory, and the speed at its times.
+pub(super) fn landing(run: &Run, landing: &Landing) -> JsValue {
+    trajectory_of(run, &landing.trajectory).series("velocity", &landing.velocity).done()
+}
+
+#[inline(never)]
+fn trajectory_of(run: &Run, trajectory: &Trajectory) -> Record {
     let Trajectory { time, states, events, stats, scheme } = trajectory;
     let happened = Record::new().series("time", &events.time).bytes("kind", &events.kind).names("kinds", events.kinds);
     columns_of(run.description().state, time, states)
         .record("events", happened)
         .record("stats", statistics(*stats, scheme.name()))
-        .done()
 }
 
 fn statistics(stats: Stats, method: &str) -> Record {

@@ -42,7 +42,23 @@ export interface Run {
   times?: Float64Array | number[] | null;
   /** 2 … 1e7, equally spaced from 0 to the duration; not together with `times` */
   samples?: number | null;
+  /** 2 … 1e7, for drawing: the solver's steps and the first state's turns, thinned to about so many rows without losing a peak; not together with `times` or `samples` */
+  rows?: number | null;
+  /** any of the next four: a landing roll, v(t) = v₀ − bt from t = 0 on, in the place of `velocity`. What is known of a constant speed alone (linear theory, an outlook, cycles, forces, energy) refuses it. m/s; 80 */
+  touchdownVelocity?: number | null;
+  /** m/s²; 3 */
+  deceleration?: number | null;
+  /** m/s, from then on constant; 5. The roll's duration where none is given ends there. */
+  finalVelocity?: number | null;
+  /** λ of F_z(v) = F_z [1 − λ (v/v₀)²], from 0 to below 1; 0 */
+  liftFraction?: number | null;
+  /** of a landing roll: κ follows F_z(v) */
+  linked?: { treadWidthMomentConstant?: boolean | null } | null;
+  /** an uneven stretch of runway: the moment M sin(2πs/λ) over the way s from its start on; refused where a landing roll is */
+  disturbance?: Runway | null;
 }
+/** `moment`: N m, 100. `wavelength`: m, 2. `start`: s, 0. `duration`: s, 1e6. By dotted names: `disturbance.moment`. */
+export interface Runway { moment?: number | null; wavelength?: number | null; start?: number | null; duration?: number | null }
 /** A magnetorheological damper, driven by the turning wheel through a lever: x = rψ, M_d = rF. Its states come after the gear's, and its values are reached by dotted names: `damper.command`, `damper.leverArm`, `damper.parameters.gamma`. What would preload the gear is 0 by default, and `forceScale` 0.01. */
 export interface DamperOnGear {
   /** a name of `dampers()` */
@@ -71,6 +87,8 @@ export interface Trajectory extends Columns {
   events: { time: Float64Array; kind: Uint8Array; kinds: string[] };
   stats: { method: string; steps: number; rejected: number; evaluations: number; events: number; stiff: boolean };
 }
+/** A landing roll: its trajectory, and the speed at its times in m/s. */
+export interface Landing extends Trajectory { velocity: Float64Array }
 /** Least and greatest value of the first state, stretch by stretch. */
 export interface Envelope { time: Float64Array; low: Float64Array; high: Float64Array }
 /** What becomes of a motion. */
@@ -461,6 +479,7 @@ export interface Jobs {
   basins: { spec: BasinsSpec; part: Basins; result: Basins };
   sweep: { spec: SweepSpec; part: Sweep; result: Sweep };
   identification: { spec: IdentificationSpec; part: Identified; result: Identified };
+  landingRoll: { spec: Run; part: Landing; result: Landing };
 }
 /** How far a job is. `fraction`: of the whole, 0 … 1. */
 export interface Progress { done: boolean; fraction: number }

@@ -214,7 +214,7 @@ impl System<2> for BetweenSprings {
         mode.side(0).margin(boundary(which), x[0], self.gap)
     }
 
-    fn cross(&self, which: usize, mode: Mode, _x: &mut [f64; 2]) -> Mode {
+    fn cross(&self, which: usize, _t: f64, mode: Mode, _x: &mut [f64; 2]) -> Mode {
         mode.with_side(0, mode.side(0).across(boundary(which)))
     }
 }
@@ -265,7 +265,7 @@ impl System<1> for Zigzag {
         Some(if mode.side(0) == Side::Above { wave } else { -wave })
     }
 
-    fn cross(&self, _which: usize, mode: Mode, _x: &mut [f64; 1]) -> Mode {
+    fn cross(&self, _which: usize, _t: f64, mode: Mode, _x: &mut [f64; 1]) -> Mode {
         mode.with_side(0, if mode.side(0) == Side::Above { Side::Below } else { Side::Above })
     }
 }

@@ -87,6 +87,10 @@ pub fn run(json: &Json) -> Run {
     Run::read(&value(json)).expect("a run")
 }
 
+pub fn text(json: &Json) -> &str {
+    json.as_str().expect("a name")
+}
+
 pub fn number(json: &Json) -> f64 {
     json.as_f64().expect("a number")
 }

@@ -171,7 +171,7 @@ impl<S: System<N>, const N: usize> Integrator<S, N> {
         }
         self.stats.events += 1;
         self.landed = self.x;
-        self.mode = self.system.cross(which, self.mode, &mut self.x);
+        self.mode = self.system.cross(which, self.t, self.mode, &mut self.x);
         self.f = self.system.rate(self.t, self.mode, &self.x);
         self.stats.evaluations += 1;
         self.look_at_switches();

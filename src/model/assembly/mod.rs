@@ -3,13 +3,16 @@
 //! One system, of as many states as its parts have, padded to a fixed number: so all that moves it is compiled once, whatever
 //! the parts. A gear without any has a system of its own, made for speed.
 
+mod course;
 mod fitted;
 mod tables;
 
-pub(crate) use self::tables::{damper_on, tables};
+use self::course::Course;
+pub use self::course::{Roll, Unevenness};
+pub(crate) use self::tables::{damper_on, roll, tables};
 pub use self::{
     fitted::Fitted,
-    tables::{Parts, STATES},
+    tables::{Parts, ROLL, RUNWAY, STATES},
 };
 use super::{
     Gear, Mode, System, Torsional,
@@ -28,13 +31,18 @@ const KINKS: usize = 6;
 const REVERSAL: usize = 6;
 const RETURN: usize = 7;
 const YIELD: usize = 8;
-const STOP: usize = 9;
-const RELEASE: usize = 10;
+const SLOWING: usize = 9;
+const COMING: usize = 10;
+const LEAVING: usize = 11;
+const STOP: usize = 12;
+const RELEASE: usize = 13;
 
-/// A wheel that turns about its steering axis ([`Torsional`]), with a damper on it.
+/// A wheel that turns about its steering axis ([`Torsional`]), with a damper on it, on a way along which speed, weight and
+/// runway may change.
 ///
 /// # Equations
-/// Those of the gear, with −M_d among the moments, and the damper's ([`Fitted`]).
+/// Those of the gear, with −M_d among the moments, and the damper's ([`Fitted`]); v, F_z and the runway's moment by the time
+/// ([`Roll`], [`Unevenness`]).
 ///
 /// # State
 /// That of the gear, and after it the damper's: `hysteresis`, `internalDisplacement`, `effectiveCommand`, those that it has.
@@ -46,6 +54,8 @@ const RELEASE: usize = 10;
 pub struct Assembly {
     gear: Torsional,
     fitted: Option<Fitted>,
+    /// Where something changes with the time.
+    course: Option<Course>,
 }
 
 /// The state of the gear alone.
@@ -107,7 +117,7 @@ impl Assembly {
 }
 
 impl<const N: usize> System<N> for Assembly {
-    const SWITCHES: usize = 11;
+    const SWITCHES: usize = 14;
     const SELDOM: usize = 2;
     const EVENT_KINDS: &'static [&'static str] = &[
         "side-force-limit",
@@ -118,6 +128,8 @@ impl<const N: usize> System<N> for Assembly {
         "damper-reversal",
         "damper-return",
         "damper-yield",
+        "final-velocity",
+        "runway",
     ];
 
     #[inline(always)]
@@ -138,7 +150,7 @@ impl<const N: usize> System<N> for Assembly {
 
     // Not worth its code in each of the thirty places that ask for it.
     #[inline(never)]
-    fn rate<R: Real>(&self, _t: R, mode: Mode, x: &[R; N]) -> [R; N] {
+    fn rate<R: Real>(&self, t: R, mode: Mode, x: &[R; N]) -> [R; N] {
         let mut rate = [R::from(0.0); N];
         let mut moment = R::from(0.0);
         if let Some(fitted) = &self.fitted {
@@ -147,13 +159,25 @@ impl<const N: usize> System<N> for Assembly {
                 moment = taken;
             }
         }
-        let wheel = self.gear.driven(mode, &wheel(x), moment);
+        let wheel = match &self.course {
+            None => self.gear.driven(mode, &wheel(x), moment),
+            Some(course) => {
+                if !Torsional::rubs(mode, Rubbing::Sticking) {
+                    moment = moment - course.push(t, mode);
+                }
+                let (motion, weight) = course.motion(t, mode);
+                self.gear.rolled(mode, &wheel(x), moment, &motion, weight)
+            }
+        };
         rate[..Z].copy_from_slice(&wheel);
         rate
     }
 
     fn mode(&self, t: f64, x: &[f64; N]) -> Mode {
         let mut mode = self.gear.sides(&wheel(x));
+        if let Some(course) = &self.course {
+            mode = course.mode(t, mode);
+        }
         if self.gear.friction().moment() > 0.0 {
             mode = Torsional::rubbing(mode, self.gear.friction().at(x[PSI_RATE], self.load(t, mode, x)));
         }
@@ -178,6 +202,9 @@ impl<const N: usize> System<N> for Assembly {
                     _ => Some(fitted.going(mode, x)),
                 }
             }
+            SLOWING => self.course.as_ref()?.slowing(t, mode),
+            COMING => self.course.as_ref()?.coming(t, mode),
+            LEAVING => self.course.as_ref()?.leaving(t, mode),
             _ => self.friction_switch(which, t, mode, x),
         }
     }
@@ -187,10 +214,12 @@ impl<const N: usize> System<N> for Assembly {
         !Torsional::rubs(mode, Rubbing::Absent)
     }
 
-    fn cross(&self, which: usize, mode: Mode, x: &mut [f64; N]) -> Mode {
+    fn cross(&self, which: usize, t: f64, mode: Mode, x: &mut [f64; N]) -> Mode {
         match which {
-            ..KINKS => self.gear.cross(which, mode, &mut wheel(x)),
-            STOP | RELEASE => self.cross_friction(which, 0.0, mode, x),
+            ..KINKS => self.gear.cross(which, t, mode, &mut wheel(x)),
+            SLOWING => Course::slowed(mode),
+            COMING | LEAVING => Course::passed(mode),
+            STOP | RELEASE => self.cross_friction(which, t, mode, x),
             _ => self.fitted.as_ref().map_or(mode, |fitted| match which {
                 REVERSAL => fitted.turned(mode, x),
                 RETURN => fitted.returned(mode, x),
@@ -204,6 +233,7 @@ impl<const N: usize> System<N> for Assembly {
             ..KINKS => self.gear.event_kind(which),
             STOP => 3,
             RELEASE => 4,
+            LEAVING => 9,
             which => which - REVERSAL + 5,
         }
     }
