@@ -4,6 +4,7 @@
 //! the state has already left the piece: the law is *continued* there, so that a step never straddles a kink, and the
 //! integrator finds the crossing on a smooth curve.
 
+pub mod control;
 pub mod damper;
 pub mod freeplay;
 pub mod friction;

@@ -104,8 +104,8 @@ pub struct Field {
 
 impl Field {
     /// The keys that a field has, beside those of its axes.
-    const KEYS: [&'static str; 8] =
-        ["model", "parameters", "friction", "damper", "initial", "linked", "duration", "tile"];
+    const KEYS: [&'static str; 9] =
+        ["model", "parameters", "friction", "damper", "control", "initial", "linked", "duration", "tile"];
 
     /// All keys of a record that has `more` beside a field's.
     pub(super) fn keys(more: &[&'static str]) -> Vec<&'static str> {
@@ -115,7 +115,7 @@ impl Field {
     /// The run of a field: where neither the record nor an axis says where it starts, the first state is this part of its
     /// typical size.
     pub(super) fn run(fields: &Fields) -> Result<Run> {
-        let given = ["model", "parameters", "friction", "damper", "initial"]
+        let given = ["model", "parameters", "friction", "damper", "control", "initial"]
             .into_iter()
             .filter_map(|key| Some((key.to_owned(), fields.value(key)?.clone())));
         Run::read(&Value::Record(given.collect()))

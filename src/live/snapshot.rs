@@ -60,9 +60,9 @@ pub(super) fn read<S: Gear<N>, const N: usize>(bytes: &[u8], like: &Cursor<S, N>
 fn kind<S: Gear<N>, const N: usize>(cursor: &Cursor<S, N>) -> u64 {
     let Description { name, table, state, parts, .. } = cursor.tables.description;
     let names = table.iter().map(|p| p.name).chain(state.iter().map(|s| s.name));
+    let [damper, law] = [parts.damper, parts.control].map(Option::unwrap_or_default);
     let follows = if parts.tread_follows { "follows" } else { "" };
-    let tables =
-        [name, parts.damper.unwrap_or_default(), follows].into_iter().chain(names).collect::<Vec<_>>().join(" ");
+    let tables = [name, damper, law, follows].into_iter().chain(names).collect::<Vec<_>>().join(" ");
     let settings = cursor.integrator.settings().flat_map(u64::to_le_bytes);
     hash(&tables.into_bytes().into_iter().chain(settings).collect::<Vec<u8>>())
 }

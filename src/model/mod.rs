@@ -11,7 +11,7 @@ pub mod torsional;
 pub mod torsional_linear;
 
 pub use assembly::{Assembly, Parts};
-pub(crate) use assembly::{damper_on, roll};
+pub(crate) use assembly::{damper_on, resting_command, roll};
 pub use system::{Gear, Mode, Model, System, Tables};
 pub use torsional::{Laned, Prepared, Torsional};
 pub use torsional_linear::TorsionalLinear;
@@ -110,6 +110,7 @@ impl Description {
     /// Those of a part that says which.
     pub(crate) fn check(&self, values: &[f64]) -> Result<()> {
         assembly::damper_on(self, values, 1.0)?;
+        assembly::check_control(self, values)?;
         assembly::roll(self, values).map(drop)
     }
 

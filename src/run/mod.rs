@@ -222,6 +222,15 @@ impl Run {
         model::roll(&self.description(), &self.parameters).ok().flatten()
     }
 
+    /// With the control law `name`, with its defaults.
+    ///
+    /// # Errors
+    /// An unknown name, with the nearest known one; a law that does not go with the damper.
+    pub fn controlled(mut self, name: &str) -> Result<Self> {
+        self.set_control(name)?;
+        Ok(self)
+    }
+
     /// As after touchdown: the speed falls from t = 0 on, with the roll's defaults.
     ///
     /// # Errors

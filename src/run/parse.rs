@@ -11,11 +11,12 @@ use crate::{
 };
 
 /// The keys of a run.
-const KEYS: [&str; 20] = [
+const KEYS: [&str; 21] = [
     "model",
     "parameters",
     "friction",
     "damper",
+    "control",
     "initial",
     "duration",
     "method",
@@ -37,8 +38,11 @@ const KEYS: [&str; 20] = [
 /// The keys of a damper.
 const DAMPER: [&str; 4] = ["model", "leverArm", "command", "parameters"];
 
+/// The keys of a control law.
+const CONTROL: [&str; 4] = ["law", "lag", "failureTime", "parameters"];
+
 /// Parts that a run may name as absent: none of the models has room for them.
-const ABSENT: [&str; 2] = ["tire", "control"];
+const ABSENT: [&str; 1] = ["tire"];
 
 /// A number of a run: its key, what is allowed, what sets it.
 type NumberField = (&'static str, &'static str, fn(&mut Run, f64) -> Result<()>);
@@ -88,6 +92,10 @@ impl Run {
         if let Some(damper) = &damper {
             run.read_damper(damper).map_err(|error| error.within("damper"))?;
         }
+        let control = given("control").map(|control| Fields::of("control", control, &CONTROL)).transpose()?;
+        if let Some(control) = &control {
+            run.read_control(control).map_err(|error| error.within("control"))?;
+        }
         let mut parts = run.parts;
         parts.rolls = ROLL.iter().any(|parameter| given(parameter.name).is_some());
         if let Some(linked) = given("linked") {
@@ -103,7 +111,10 @@ impl Run {
             }
         }
         if let Some(damper) = &damper {
-            run.read_damper_values(damper)?;
+            run.read_values("damper", &["leverArm", "command"], damper)?;
+        }
+        if let Some(control) = &control {
+            run.read_values("control", &["lag", "failureTime"], control)?;
         }
         if let Some(values) = given("friction") {
             run.read_element("friction", run.description().friction, values)?;
@@ -155,22 +166,29 @@ impl Run {
         self.set_damper(name)
     }
 
-    /// Reads the damper's own values. They are checked together once all are there.
-    fn read_damper_values(&mut self, fields: &Fields) -> Result<()> {
+    /// Puts the control law to work that a record names.
+    fn read_control(&mut self, fields: &Fields) -> Result<()> {
+        let allowed = "the name of a control law, such as on-off";
+        let name = fields.text("law")?.ok_or_else(|| Error::missing("law", allowed))?;
+        self.set_control(name)
+    }
+
+    /// Reads the values of a part: its own fields, and its parameters. They are checked together once all are there.
+    fn read_values(&mut self, part: &str, own: &[&str], fields: &Fields) -> Result<()> {
         let table = self.table();
         let mut values = self.parameters.clone();
         let mut take = |name: &str, value: &Value| {
             values[parameter_index(table, name)?] = number_of(table, name, value)?;
             Ok(())
         };
-        for name in ["leverArm", "command"] {
+        for name in own {
             if let Some(value) = fields.value(name) {
-                take(&format!("damper.{name}"), value)?;
+                take(&format!("{part}.{name}"), value)?;
             }
         }
         if let Some(given) = fields.value("parameters") {
-            for (name, value) in present("damper.parameters", given)? {
-                take(&format!("damper.parameters.{name}"), value)?;
+            for (name, value) in present(&format!("{part}.parameters"), given)? {
+                take(&format!("{part}.parameters.{name}"), value)?;
             }
         }
         self.set_parameters(&values)

@@ -2,10 +2,10 @@
 
 use super::{MOST_SAMPLES, Run};
 use crate::{
-    element::damper,
+    element::{control, damper},
     error::{Code, Error, Result, shown},
     integrate::{Method, Output},
-    model::{Description, Parts, damper_on},
+    model::{Parts, damper_on, resting_command},
     parameter::{Parameter, StateVariable, Validity, check_number, parameter_index, state_index},
 };
 
@@ -13,7 +13,6 @@ use crate::{
 const HYSTERESIS: &str = "hysteresis";
 /// The state that starts at a command.
 const EFFECTIVE_COMMAND: &str = "effectiveCommand";
-const COMMAND: &str = "damper.command";
 
 /// Most steps that can be asked for.
 const MOST_STEPS: f64 = 1e9;
@@ -50,6 +49,12 @@ impl Run {
         self.set_parts(Parts { damper: Some(damper.name), ..self.parts })
     }
 
+    /// Puts a control law to work.
+    pub(super) fn set_control(&mut self, name: &str) -> Result<()> {
+        let law = control::named(name)?;
+        self.set_parts(Parts { control: Some(law.name), ..self.parts })
+    }
+
     /// That a state may start like this.
     pub(crate) fn check_start(&self, name: &str, value: f64) -> Result<()> {
         match damper_on(&self.description(), &self.parameters, 1.0)? {
@@ -75,11 +80,10 @@ impl Run {
 
     /// Lets the state u start at the command, unless it is said to start elsewhere.
     pub(super) fn settle_command(&mut self) {
-        let Description { table, state, .. } = self.description();
-        let state = state.iter().position(|state| state.name == EFFECTIVE_COMMAND);
-        let command = table.iter().position(|parameter| parameter.name == COMMAND);
-        if let (false, Some(state), Some(command)) = (self.effective, state, command) {
-            self.initial[state] = self.parameters[command];
+        let description = self.description();
+        let state = description.state.iter().position(|state| state.name == EFFECTIVE_COMMAND);
+        if let (false, Some(state)) = (self.effective, state) {
+            self.initial[state] = resting_command(&description, &self.parameters);
         }
     }
 

@@ -80,14 +80,15 @@ impl Plane {
     }
 
     /// The fields that a plane has.
-    pub(crate) const KEYS: [&'static str; 7] = ["model", "parameters", "friction", "damper", "x", "y", "linked"];
+    pub(crate) const KEYS: [&'static str; 8] =
+        ["model", "parameters", "friction", "damper", "control", "x", "y", "linked"];
 
     /// Reads a plane whose axes have `more` fields than parameter and ends; these come back for both.
     ///
     /// # Errors
     /// Anything but known keys with valid values; the error names the field.
     pub(crate) fn read_with<'a>(fields: &Fields<'a>, more: &[&'static str]) -> Result<(Self, [Fields<'a>; 2])> {
-        let given = ["model", "parameters", "friction", "damper"];
+        let given = ["model", "parameters", "friction", "damper", "control"];
         let given = given.into_iter().filter_map(|key| Some((key.to_owned(), fields.value(key)?.clone())));
         let run = Run::read(&Value::Record(given.collect()))?;
         let known = [&["parameter", "from", "to"], more].concat();

@@ -36,7 +36,9 @@ use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 
 use crate::{
-    Run, atlas, error,
+    Run, atlas,
+    element::control,
+    error,
     integrate::methods as list_of_methods,
     model::{self, laws::Curves},
     spectrum::Series,
@@ -74,6 +76,12 @@ pub fn run_tables(#[wasm_bindgen(unchecked_param_type = "Run")] run: JsValue) ->
 #[wasm_bindgen(unchecked_return_type = "Method[]")]
 pub fn methods() -> Result<JsValue, JsValue> {
     output::table(&list_of_methods())
+}
+
+/// Tables of all control laws.
+#[wasm_bindgen(unchecked_return_type = "ControlLaw[]")]
+pub fn controls() -> Result<JsValue, JsValue> {
+    output::table(&control::list())
 }
 
 /// Carries out a run.

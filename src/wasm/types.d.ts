@@ -25,6 +25,8 @@ export interface Run {
   friction?: { moment?: number | null } | null;
   /** a damper on the gear; absent and null: none */
   damper?: DamperOnGear | null;
+  /** a control law; absent and null: none. `damper.command` is then what the law `passive` commands. */
+  control?: Control | null;
   initial?: Record<string, number> | null;
   /** s; 2 */
   duration?: number | null;
@@ -69,6 +71,18 @@ export interface DamperOnGear {
   command?: number | null;
   parameters?: Record<string, number> | null;
 }
+/** A control law at work: of `modified-bouc-wen` and `current-dependent-bouc-wen`, or `active` in the place of a damper. By dotted names: `control.lag`, `control.parameters.gain`. */
+export interface Control {
+  /** a name of `controls()` */
+  law: string;
+  /** s; 1/190. A damper with a lag of its own keeps that. */
+  lag?: number | null;
+  /** s, from when on the command is 0; 1e6 */
+  failureTime?: number | null;
+  parameters?: Record<string, number> | null;
+}
+/** A control law: `common` are the parameters that every law has, beside its own. `semiActive`: it commands a damper; otherwise it takes the place of one. */
+export interface ControlLaw { name: string; title: string; parameters: Parameter[]; common: Parameter[]; semiActive: boolean; doc: string }
 /** Times and one array per state variable, under its name; of a damper those that it has. */
 export interface Columns {
   time: Float64Array;
@@ -79,7 +93,7 @@ export interface Columns {
   hysteresis?: Float64Array;
   /** w of a damper in series, m */
   internalDisplacement?: Float64Array;
-  /** u of a damper whose coil takes its time */
+  /** u of a damper whose coil takes its time; of the law `active` its moment, N m */
   effectiveCommand?: Float64Array;
 }
 /** A trajectory: its columns, where piecewise laws changed, and what it has cost. */
@@ -152,6 +166,7 @@ export interface BifurcationSpec {
   /** dry friction, as in a `Run`; `friction.moment` may be the parameter */
   friction?: Run['friction'];
   damper?: Run['damper'];
+  control?: Run['control'];
   parameter: string;
   from: number;
   to: number;
@@ -335,6 +350,7 @@ export interface Plane {
   friction?: { moment?: number | null } | null;
   /** as in a `Run`; `damper.command` and the like may be on an axis. Stability is judged without the eigenvalue that a hysteresis has at zero. */
   damper?: Run['damper'];
+  control?: Run['control'];
   x: Axis;
   y: Axis;
   linked?: { relaxationLength?: boolean | null; treadWidthMomentConstant?: boolean | null } | null;
@@ -392,6 +408,7 @@ export interface BasinsSpec {
   parameters?: Parameters | null;
   friction?: Run['friction'];
   damper?: Run['damper'];
+  control?: Run['control'];
   /** where a motion starts, but for the states on the axes; at rest, or where the axes are parameters a tenth of the first state's typical size from it */
   initial?: Record<string, number> | null;
   x: BasinsAxis;
@@ -428,6 +445,7 @@ export interface SweepSpec {
   parameters?: Parameters | null;
   friction?: Run['friction'];
   damper?: Run['damper'];
+  control?: Run['control'];
   /** where a motion starts; a hundredth of the first state's typical size from rest */
   initial?: Record<string, number> | null;
   /** where the way back begins when the way there has ended at rest; three times the first state's typical size */

@@ -50,7 +50,7 @@ impl BifurcationSpec {
     /// Anything but known keys with valid values; the error names the field. Names and ranges are checked against the model
     /// when it begins.
     pub fn read(input: &Value) -> Result<Self> {
-        const RUN: [&str; 4] = ["model", "parameters", "friction", "damper"];
+        const RUN: [&str; 5] = ["model", "parameters", "friction", "damper", "control"];
         const RANGE: [&str; 4] = ["parameter", "from", "to", "linked"];
         const OWN: [&str; 5] = ["cycle", "points", "step", "tolerance", "probes"];
         let fields = Fields::of("bifurcation", input, &[RUN.as_slice(), &RANGE, &OWN].concat())?;

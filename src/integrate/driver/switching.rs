@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Most switches of a system: a bit each, and room for their values.
-const MOST_SWITCHES: usize = 16;
+const MOST_SWITCHES: usize = 18;
 
 /// Values and slopes of the switches at one moment, and a bit for each that applies in its mode.
 #[derive(Clone, Copy, Debug, Default)]

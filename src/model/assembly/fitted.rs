@@ -60,14 +60,16 @@ pub struct Fitted {
     command: f64,
     /// At the command, where that acts at once.
     steady: Coefficients,
-    /// Where the state u is, if there is one.
-    place: Option<usize>,
+    /// Where the state u is, if there is one, and how fast it comes to the command \[1/s\].
+    place: Option<(usize, f64)>,
 }
 
 impl Fitted {
-    /// With the lever arm r \[m\] on a gear of mobility 1/I_z, at a command.
-    pub fn new(damper: Damper, lever: f64, mobility: f64, command: f64) -> Self {
-        let place = damper.command_rate().map(|_| Z + damper.states() - 1);
+    /// With the lever arm r \[m\] on a gear of mobility 1/I_z, at a command; `fading`: of a coil that takes its time where the
+    /// damper's own does not \[1/s\].
+    pub fn new(damper: Damper, lever: f64, mobility: f64, command: f64, fading: Option<f64>) -> Self {
+        let place = Z + 1 + usize::from(damper.in_series());
+        let place = damper.command_rate().or(fading).map(|fading| (place, fading));
         let (most, steady) = (damper.hysteresis().saturation(), damper.coefficients(command));
         Self { damper, lever, arm: lever * mobility, most, command, steady, place }
     }
@@ -79,17 +81,22 @@ impl Fitted {
 
     /// Where its state u is, if it has one.
     pub fn place(&self) -> Option<usize> {
-        self.place
+        self.place.map(|(place, _)| place)
+    }
+
+    /// How fast the command takes effect, where it takes its time \[1/s\].
+    pub fn fading_of_command(&self) -> Option<f64> {
+        self.place.map(|(_, fading)| fading)
     }
 
     /// How many states it has.
     pub fn states(&self) -> usize {
-        self.damper.states()
+        1 + usize::from(self.damper.in_series()) + usize::from(self.place.is_some())
     }
 
     /// At rest with no force on the wheel; and a bit for each state that may have any value there.
     pub fn rest<const N: usize>(&self, x: &mut [f64; N]) -> u32 {
-        if let Some(place) = self.place {
+        if let Some(place) = self.place() {
             x[place] = self.command;
         }
         let loose = self.damper.in_series() && self.steady.stiffness == 0.0;
@@ -99,7 +106,7 @@ impl Fitted {
     #[inline(always)]
     fn coefficients<R: Real, const N: usize>(&self, x: &[R; N]) -> Coefficients<R> {
         match self.place {
-            Some(place) => self.damper.coefficients(x[place]),
+            Some((place, _)) => self.damper.coefficients(x[place]),
             None => {
                 let Coefficients { viscous, stiffness, hysteresis_gain, series, accumulator, preload } = self.steady;
                 Coefficients {
@@ -118,6 +125,11 @@ impl Fitted {
     fn response<R: Real, const N: usize>(&self, x: &[R; N]) -> Response<R> {
         let (displacement, velocity) = (x[PSI] * self.lever, x[PSI_RATE] * self.lever);
         self.damper.response(&self.coefficients(x), displacement, velocity, x[Z], x[W])
+    }
+
+    /// M_d \[N m\].
+    pub fn moment<R: Real, const N: usize>(&self, x: &[R; N]) -> R {
+        self.response(x).force * self.lever
     }
 
     /// F \[N\].
@@ -144,7 +156,7 @@ impl Fitted {
         if self.damper.in_series() {
             rate[W] = internal;
         }
-        if let (Some(place), Some(fading)) = (self.place, self.damper.command_rate()) {
+        if let Some((place, fading)) = self.place {
             rate[place] = (x[place] - self.command) * -fading;
         }
         force * self.arm

@@ -3,13 +3,14 @@
 //! One system, of as many states as its parts have, padded to a fixed number: so all that moves it is compiled once, whatever
 //! the parts. A gear without any has a system of its own, made for speed.
 
+mod controlled;
 mod course;
 mod fitted;
 mod tables;
 
-use self::course::Course;
 pub use self::course::{Roll, Unevenness};
-pub(crate) use self::tables::{damper_on, roll, tables};
+pub(crate) use self::tables::{check_control, damper_on, resting_command, roll, tables};
+use self::{controlled::Controlled, course::Course};
 pub use self::{
     fitted::Fitted,
     tables::{Parts, ROLL, RUNWAY, STATES},
@@ -34,8 +35,12 @@ const YIELD: usize = 8;
 const SLOWING: usize = 9;
 const COMING: usize = 10;
 const LEAVING: usize = 11;
-const STOP: usize = 12;
-const RELEASE: usize = 13;
+const RISING: usize = 12;
+const FALLING: usize = 13;
+const TURNING: usize = 14;
+const FAILING: usize = 15;
+const STOP: usize = 16;
+const RELEASE: usize = 17;
 
 /// A wheel that turns about its steering axis ([`Torsional`]), with a damper on it, on a way along which speed, weight and
 /// runway may change.
@@ -56,6 +61,7 @@ pub struct Assembly {
     fitted: Option<Fitted>,
     /// Where something changes with the time.
     course: Option<Course>,
+    control: Option<Controlled>,
 }
 
 /// The state of the gear alone.
@@ -71,6 +77,23 @@ impl Assembly {
         let mut still = *x;
         still[PSI_RATE] = R::from(0.0);
         self.rate(t, Torsional::rubbing(mode, Rubbing::Absent), &still)[PSI_RATE]
+    }
+
+    /// M_d \[N m\] of the damper.
+    fn moment<R: Real, const N: usize>(&self, x: &[R; N]) -> R {
+        self.fitted.as_ref().map_or(R::from(0.0), |fitted| fitted.moment(x))
+    }
+
+    /// Those of a control law: not worth their code wherever switches are looked at.
+    #[inline(never)]
+    fn control_switch<R: Real, const N: usize>(&self, which: usize, t: R, mode: Mode, x: &[R; N]) -> Option<R> {
+        let control = self.control.as_ref()?;
+        match which {
+            RISING => control.rising(mode, x, self.moment(x)),
+            FALLING => control.falling(mode, x, self.moment(x)),
+            TURNING => control.turning(mode, x, self.moment(x)),
+            _ => control.failing(t, mode),
+        }
     }
 
     /// STOP or RELEASE of a wheel with friction: not worth its code wherever switches are looked at.
@@ -117,7 +140,7 @@ impl Assembly {
 }
 
 impl<const N: usize> System<N> for Assembly {
-    const SWITCHES: usize = 14;
+    const SWITCHES: usize = 18;
     const SELDOM: usize = 2;
     const EVENT_KINDS: &'static [&'static str] = &[
         "side-force-limit",
@@ -130,16 +153,25 @@ impl<const N: usize> System<N> for Assembly {
         "damper-yield",
         "final-velocity",
         "runway",
+        "control-step",
+        "control-turn",
+        "control-failure",
     ];
 
     #[inline(always)]
     fn width(&self) -> usize {
-        Z + self.fitted.as_ref().map_or(0, Fitted::states)
+        match (&self.fitted, &self.control) {
+            (Some(fitted), _) => Z + fitted.states(),
+            (None, control) => Z + usize::from(control.is_some()),
+        }
     }
 
     fn rest(&self) -> ([f64; N], u32) {
         let mut x = [0.0; N];
         let free = self.fitted.as_ref().map_or(0, |fitted| fitted.rest(&mut x));
+        if let Some(control) = &self.control {
+            x[control.place] = control.law.at_rest();
+        }
         (x, free)
     }
 
@@ -159,6 +191,12 @@ impl<const N: usize> System<N> for Assembly {
                 moment = taken;
             }
         }
+        if let Some(control) = &self.control {
+            if self.fitted.is_none() && !Torsional::rubs(mode, Rubbing::Sticking) {
+                moment = x[control.place] * self.gear.mobility();
+            }
+            rate[control.place] = control.rate(mode, x);
+        }
         let wheel = match &self.course {
             None => self.gear.driven(mode, &wheel(x), moment),
             Some(course) => {
@@ -177,6 +215,9 @@ impl<const N: usize> System<N> for Assembly {
         let mut mode = self.gear.sides(&wheel(x));
         if let Some(course) = &self.course {
             mode = course.mode(t, mode);
+        }
+        if let Some(control) = &self.control {
+            mode = control.mode(t, mode, x, self.moment(x));
         }
         if self.gear.friction().moment() > 0.0 {
             mode = Torsional::rubbing(mode, self.gear.friction().at(x[PSI_RATE], self.load(t, mode, x)));
@@ -205,6 +246,7 @@ impl<const N: usize> System<N> for Assembly {
             SLOWING => self.course.as_ref()?.slowing(t, mode),
             COMING => self.course.as_ref()?.coming(t, mode),
             LEAVING => self.course.as_ref()?.leaving(t, mode),
+            RISING | FALLING | TURNING | FAILING => self.control_switch(which, t, mode, x),
             _ => self.friction_switch(which, t, mode, x),
         }
     }
@@ -219,6 +261,11 @@ impl<const N: usize> System<N> for Assembly {
             ..KINKS => self.gear.cross(which, t, mode, &mut wheel(x)),
             SLOWING => Course::slowed(mode),
             COMING | LEAVING => Course::passed(mode),
+            FAILING => Controlled::failed(mode),
+            RISING | FALLING | TURNING => self.control.as_ref().map_or(mode, |control| match which {
+                TURNING => control.turned(mode),
+                _ => control.stepped(mode, which == RISING),
+            }),
             STOP | RELEASE => self.cross_friction(which, t, mode, x),
             _ => self.fitted.as_ref().map_or(mode, |fitted| match which {
                 REVERSAL => fitted.turned(mode, x),
@@ -234,6 +281,9 @@ impl<const N: usize> System<N> for Assembly {
             STOP => 3,
             RELEASE => 4,
             LEAVING => 9,
+            RISING | FALLING => 10,
+            TURNING => 11,
+            FAILING => 12,
             which => which - REVERSAL + 5,
         }
     }
@@ -252,6 +302,9 @@ impl<const N: usize> Gear<N> for Assembly {
 
     fn scaled(&self, x: &[f64; N], factor: f64) -> [f64; N] {
         let mut scaled = x.map(|x| x * factor);
+        if let Some(control) = &self.control {
+            scaled[control.place] = x[control.place];
+        }
         if let Some(fitted) = &self.fitted {
             scaled[Z] = fitted.within(scaled[Z]);
             if let Some(place) = fitted.place() {

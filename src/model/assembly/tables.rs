@@ -2,12 +2,15 @@
 
 use std::sync::Mutex;
 
-use super::{Assembly, Course, Fitted, Roll, Unevenness, Z};
+use super::{Assembly, Course, Fitted, Roll, Unevenness, Z, controlled::Controlled};
 use crate::{
-    element::damper,
+    element::{
+        control::{self, Law},
+        damper,
+    },
     error::{Code, Error, Result, shown},
     model::{self, Description, Model, Tables, Torsional},
-    parameter::{Parameter, Scale, Validity},
+    parameter::{Parameter, Scale, StateVariable, Validity},
     stability::{Linearisation, at_rest},
 };
 
@@ -25,11 +28,13 @@ pub struct Parts {
     pub tread_follows: bool,
     /// The runway is uneven.
     pub runway: bool,
+    /// The control law, by its name.
+    pub control: Option<&'static str>,
 }
 
 impl Parts {
     /// Nothing, and nothing.
-    pub const NONE: Self = Self { damper: None, rolls: false, tread_follows: false, runway: false };
+    pub const NONE: Self = Self { damper: None, rolls: false, tread_follows: false, runway: false, control: None };
 
     /// A gear alone.
     pub fn none(self) -> bool {
@@ -53,6 +58,23 @@ const PART: Parameter = Parameter {
     scale: Scale::Linear,
     doc: "",
     validity: Validity::NonNegative,
+};
+
+/// What a coil that takes its time lets through.
+const EFFECTIVE_COMMAND: StateVariable = StateVariable {
+    name: "effectiveCommand",
+    symbol: "u",
+    unit: "A",
+    scale: 1.0,
+    doc: "Effective command of the damper, which follows what the control law commands.",
+};
+
+/// What an actuator does.
+const ACTUATOR: StateVariable = StateVariable {
+    unit: "N m",
+    scale: 100.0,
+    doc: "Moment of the actuator, positive against a positive angle, which follows what the control law commands.",
+    ..EFFECTIVE_COMMAND
 };
 
 /// The damper's lever.
@@ -187,6 +209,20 @@ fn described(gear: &Description, parts: Parts) -> Option<Description> {
         }
         state.extend_from_slice(damper.state);
     }
+    if let Some(law) = parts.control {
+        let law = control::named(law).ok()?;
+        for (parameter, part) in
+            law.common.iter().map(|common| (common, "")).chain(law.parameters.iter().map(|own| (own, "parameters.")))
+        {
+            let name = Box::leak(format!("control.{part}{}", parameter.name).into_boxed_str());
+            table.push(Parameter { name, ..*parameter });
+        }
+        if !law.semi_active {
+            state.push(ACTUATOR);
+        } else if state.last().is_none_or(|last| last.name != EFFECTIVE_COMMAND.name) {
+            state.push(EFFECTIVE_COMMAND);
+        }
+    }
     if parts.runway {
         table.extend_from_slice(&RUNWAY);
     }
@@ -230,10 +266,12 @@ pub(crate) fn damper_on(tables: &Description, values: &[f64], mobility: f64) -> 
     let Some(name) = tables.parts.damper else { return Ok(None) };
     let own = |error: Error| error.within("damper");
     let damper = damper::named(name).map_err(own)?;
+    let all = values;
     let [lever, command, values @ ..] = &values[tables.gear_width()..] else { return Ok(None) };
     damper.check_command(*command).map_err(own)?;
     let made = damper.damper(values).map_err(|error| own(error.within("parameters")))?;
-    Ok(Some(Fitted::new(made, *lever, mobility, *command)))
+    let fading = controlled(tables, all)?.map(|control| control.fading);
+    Ok(Some(Fitted::new(made, *lever, mobility, *command, fading)))
 }
 
 /// As many values as there are in a part's table, in its order.
@@ -262,6 +300,61 @@ pub(crate) fn roll(tables: &Description, values: &[f64]) -> Result<Option<Roll>>
     Ok(Some(Roll { touchdown_velocity, deceleration, final_velocity, lift_fraction, tread_follows }))
 }
 
+/// The control law of checked values, in table order; where its state is is not known yet.
+///
+/// # Errors
+/// A law without a damper to command, or with one that follows no command or not all of the law's; an active one beside a
+/// damper.
+fn controlled(tables: &Description, values: &[f64]) -> Result<Option<Controlled>> {
+    let Some(name) = tables.parts.control else { return Ok(None) };
+    let law = control::named(name).map_err(|error| error.within("control"))?;
+    let place = |name: &str| tables.table.iter().position(|parameter| parameter.name == name);
+    let Some(first) = place("control.lag") else { return Ok(None) };
+    let refused = |got: &str, allowed: &str| Err(Error::new(Code::Unsuited, "control.law", got, allowed));
+    let command = place("damper.command").map(|place| values[place]);
+    let [lag, failure, own @ ..] = &values[first..first + 2 + law.parameters.len()] else { return Ok(None) };
+    let Some(law_at_work) = Law::of(name, own, command.unwrap_or(0.0)) else { return Ok(None) };
+    match tables.parts.damper {
+        None if law.semi_active => return refused(name, "active without a damper: the others command one"),
+        Some(_) if !law.semi_active => return refused(name, "without a damper, whose place it takes"),
+        Some("bouc-wen") => return refused(name, "absent beside bouc-wen, which holds at one command"),
+        Some(damper) => {
+            let damper = damper::named(damper)?;
+            for (command, place) in
+                law_at_work.commands().into_iter().chain([0.0]).zip(["minimumCommand", "maximumCommand", "failureTime"])
+            {
+                damper.check_command(command).map_err(|error| {
+                    let place = if law.parameters.iter().any(|parameter| parameter.name == place) {
+                        format!("control.parameters.{place}")
+                    } else {
+                        "control.law".to_owned()
+                    };
+                    error.called(&place)
+                })?;
+            }
+        }
+        None => {}
+    }
+    Ok(Some(Controlled { law: law_at_work, fading: 1.0 / lag, failure: *failure, place: Z }))
+}
+
+/// As [`controlled`], for its errors.
+///
+/// # Errors
+/// Those.
+pub(crate) fn check_control(tables: &Description, values: &[f64]) -> Result<()> {
+    controlled(tables, values).map(drop)
+}
+
+/// What the state u of a gear at rest comes to, for checked values in table order.
+pub(crate) fn resting_command(tables: &Description, values: &[f64]) -> f64 {
+    let command = || tables.table.iter().position(|parameter| parameter.name == "damper.command");
+    match controlled(tables, values) {
+        Ok(Some(control)) => control.law.at_rest(),
+        _ => command().map_or(0.0, |place| values[place]),
+    }
+}
+
 fn unevenness(tables: &Description, values: &[f64]) -> Option<Unevenness> {
     let [moment, wavelength, start, duration] = of_part(tables, values, &RUNWAY)?;
     Some(Unevenness { moment, wavelength, start, duration })
@@ -287,9 +380,16 @@ fn made(tables: &Description, values: &[f64], resting: bool) -> Assembly {
     crate::for_each_model!(chosen);
     let (Some(gear), Some(laws)) = (gear, tables.laws(values)) else { unreachable!("tables are of a listed gear") };
     let mobility = gear.mobility();
-    let (Ok(fitted), Ok(roll)) = (damper_on(tables, values, mobility), roll(tables, values)) else {
+    let (Ok(fitted), Ok(roll), Ok(control)) =
+        (damper_on(tables, values, mobility), roll(tables, values), controlled(tables, values))
+    else {
         unreachable!("values are checked")
     };
+    let at_work = |control: Controlled| {
+        let place = fitted.and_then(|fitted| Some((fitted.place()?, fitted.fading_of_command()?)));
+        place.map_or(control, |(place, fading)| Controlled { place, fading, ..control })
+    };
+    let control = control.map(at_work);
     let unevenness = unevenness(tables, values);
     let course = tables.parts.changes().then(|| {
         let (lever, slip) = gear.lever_and_slip();
@@ -297,5 +397,5 @@ fn made(tables: &Description, values: &[f64], resting: bool) -> Assembly {
         let (damping, tread) = (laws.damping * mobility, laws.tread_damping * velocity * mobility);
         Course { roll, unevenness, velocity, damping, tread, mobility, lever, slip }
     });
-    Assembly { gear, fitted, course }
+    Assembly { gear, fitted, course, control }
 }
