@@ -1,4 +1,5 @@
-// Builds the crate into www/pkg/: shimmy.js, shimmy_bg.wasm, shimmy.d.ts.
+// Builds the crate into www/pkg/: shimmy.js, shimmy_bg.wasm, shimmy.d.ts; and shimmy_relaxed.wasm, the same module once more
+// for browsers with relaxed SIMD, which ensembles take where it is there. shimmy.js serves both.
 
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { homedir } from 'node:os';
@@ -19,14 +20,17 @@ const STAMP = join(MODULE, '.built');
 export function buildModule({ wasm }) {
   const began = new Date();
   const aside = join(ROOT, 'target', `pkg-${process.pid}`);
+  const relaxed = `${aside}-relaxed`;
   try {
-    // no-install: all that wasm-pack would download, the set-up has found.
-    const build = ['build', moduleAlone(), '--mode', 'no-install', '--target', 'web', '--no-pack', '--out-dir', aside, '--', '--locked', '--config', withoutPaths(wasm)];
-    run('wasm-pack', ['--log-level', 'error', ...build], { CARGO_TARGET_DIR: join(ROOT, 'target'), ...wasm });
+    packInto(aside, 'module', ['+simd128'], wasm);
+    packInto(relaxed, 'relaxed', ['+simd128', '+relaxed-simd'], wasm);
+    const [one, other] = [aside, relaxed].map((folder) => readFileSync(join(folder, 'shimmy.js'), 'utf8'));
+    if (one !== other) throw new Error('the module with relaxed SIMD asks for another shimmy.js');
+    copyFileSync(join(relaxed, 'shimmy_bg.wasm'), join(aside, 'shimmy_relaxed.wasm'));
     rmSync(MODULE, { recursive: true, force: true });
     renameSync(aside, MODULE);
   } finally {
-    rmSync(aside, { recursive: true, force: true });
+    for (const folder of [aside, relaxed]) rmSync(folder, { recursive: true, force: true });
   }
   // As old as the sources it was made from: what changed during the build is newer.
   writeFileSync(STAMP, '');
@@ -34,30 +38,50 @@ export function buildModule({ wasm }) {
 }
 
 /**
+ * Builds the module into a folder.
+ * @param {string} out
+ * @param {string} name of the folder that it is built in
+ * @param {string[]} features of WebAssembly, beside those that any compiler takes for granted
+ * @param {NodeJS.ProcessEnv} wasm
+ */
+function packInto(out, name, features, wasm) {
+  // no-install: all that wasm-pack would download, the set-up has found.
+  const build = ['build', moduleAlone(name, features), '--mode', 'no-install', '--target', 'web', '--no-pack', '--out-dir', out];
+  run('wasm-pack', ['--log-level', 'error', ...build, '--', '--locked', '--config', flags(features, wasm)], { CARGO_TARGET_DIR: join(ROOT, 'target'), ...wasm });
+}
+
+/**
  * The crate once more, as a module alone: where a library is built for Rust as well, cargo leaves out optimising across
  * crates, which is a tenth of the module.
+ * @param {string} name
+ * @param {string[]} features
  * @returns {string} its folder
  */
-function moduleAlone() {
-  const folder = join(ROOT, 'target', 'module');
+function moduleAlone(name, features) {
+  const folder = join(ROOT, 'target', name);
   const manifest = readFileSync(join(ROOT, 'Cargo.toml'), 'utf8');
-  const both = 'crate-type = ["cdylib", "rlib"]';
-  if (!manifest.includes(both)) throw new Error(`Cargo.toml has no line ${both}`);
+  const replaced = (/** @type {string} */ text, /** @type {string} */ line, /** @type {string} */ by) => {
+    if (!text.includes(line)) throw new Error(`Cargo.toml has no ${line}`);
+    return text.replace(line, by);
+  };
+  const alone = replaced(manifest, 'crate-type = ["cdylib", "rlib"]', `path = ${JSON.stringify(join(ROOT, 'src', 'lib.rs'))}\ncrate-type = ["cdylib"]`);
   mkdirSync(folder, { recursive: true });
-  writeFileSync(join(folder, 'Cargo.toml'), manifest.replace(both, `path = ${JSON.stringify(join(ROOT, 'src', 'lib.rs'))}\ncrate-type = ["cdylib"]`));
+  const enabled = features.map((feature) => JSON.stringify(`--enable-${feature.slice(1).replace('simd128', 'simd')}`)).join(', ');
+  writeFileSync(join(folder, 'Cargo.toml'), replaced(alone, '"--enable-simd"', enabled));
   copyFileSync(join(ROOT, 'Cargo.lock'), join(folder, 'Cargo.lock'));
   return folder;
 }
 
 /**
  * Panics name their file: without the folders of the machine that built the module, which are nobody's business and bytes.
+ * @param {string[]} features
  * @param {NodeJS.ProcessEnv} env
  * @returns {string} a setting of cargo's; it adds to the flags of .cargo/config.toml
  */
-function withoutPaths(env) {
+function flags(features, env) {
   const folders = [ROOT, join(env.CARGO_HOME ?? join(homedir(), '.cargo'), 'registry', 'src')];
-  const flags = folders.map((folder) => `--remap-path-prefix=${folder.replace(/[\\/]$/, '')}${sep}=`);
-  return `target.${TARGET}.rustflags=${JSON.stringify(flags)}`;
+  const paths = folders.map((folder) => `--remap-path-prefix=${folder.replace(/[\\/]$/, '')}${sep}=`);
+  return `target.${TARGET}.rustflags=${JSON.stringify([`-Ctarget-feature=${features.join(',')}`, ...paths])}`;
 }
 
 /** Builds only when a source is newer than the module. @param {import('./setup.mjs').Tools} tools */

@@ -12,6 +12,26 @@ pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
     fn clamped(self, limit: Self) -> Self;
 }
 
+/// Sums of products, which lanes take in one step where the processor may: with one rounding then, or with two.
+pub trait Sums<C>: Number + Mul<C, Output = Self> {
+    /// self + x · c.
+    #[must_use]
+    #[inline(always)]
+    fn plus(self, x: Self, c: C) -> Self {
+        self + x * c
+    }
+
+    /// self − x · c.
+    #[must_use]
+    #[inline(always)]
+    fn minus(self, x: Self, c: C) -> Self {
+        self - x * c
+    }
+}
+
+impl Sums<f64> for f64 {}
+impl<const D: usize> Sums<f64> for Dual<D> {}
+
 impl Number for f64 {
     #[inline(always)]
     fn clamped(self, limit: Self) -> Self {
@@ -26,12 +46,11 @@ impl Number for f64 {
 /// Coefficients stay `f64`; states are `Real`. Comparisons use [`Real::value`], so that a branch never depends on a
 /// derivative.
 pub trait Real:
-    Number
+    Sums<f64>
     + Div<Output = Self>
     + Neg<Output = Self>
     + Add<f64, Output = Self>
     + Sub<f64, Output = Self>
-    + Mul<f64, Output = Self>
     + From<f64>
 {
     /// The value without its derivatives.

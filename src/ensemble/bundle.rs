@@ -1,7 +1,10 @@
 //! Motions of one model side by side, by the classical method with a fixed step.
 
 use super::lanes::Lanes;
-use crate::{model::Laned, real::Number};
+use crate::{
+    model::Laned,
+    real::{Number, Sums},
+};
 
 /// Motions in lanes, each of a gear of its own.
 #[derive(Clone, Debug)]
@@ -13,15 +16,15 @@ pub struct Bundle {
 /// A step of W. Kutta's method (*Z. Math. Phys.* 46 (1901) 435–453), with the time in steps. State by state in so many words:
 /// the compiler, which weighs loops for the module's sake, would leave them as loops.
 #[inline(always)]
-pub fn step<R: Number>(gear: &Laned<R>, x: &[R; 3], [half, third, sixth]: [R; 3]) -> [R; 3] {
-    let moved = |k: &[R; 3]| [x[0] + k[0] * half, x[1] + k[1] * half, x[2] + k[2] * half];
+pub fn step<R: Sums<R>>(gear: &Laned<R>, x: &[R; 3], [half, third, sixth]: [R; 3]) -> [R; 3] {
+    let moved = |k: &[R; 3]| [x[0].plus(k[0], half), x[1].plus(k[1], half), x[2].plus(k[2], half)];
     let a = moved(&gear.rate(x));
     let b = moved(&gear.rate(&a));
     let k3 = gear.rate(&b);
     let c = [x[0] + k3[0], x[1] + k3[1], x[2] + k3[2]];
     let k4 = gear.rate(&c);
     // x + (k₁ + 2k₂ + 2k₃ + k₄)/6, of the states that are there already.
-    let end = |i: usize| ((a[i] - x[i]) + (b[i] + b[i]) + c[i]) * third + k4[i] * sixth;
+    let end = |i: usize| (k4[i] * sixth).plus((a[i] - x[i]) + (b[i] + b[i]) + c[i], third);
     [end(0), end(1), end(2)]
 }
 

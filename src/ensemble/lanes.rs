@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-use crate::real::Number;
+use crate::real::{Number, Sums};
 
 /// How many.
 pub const LANES: usize = 4;
@@ -17,7 +17,8 @@ type Pair = simd::v128;
 #[cfg(not(target_feature = "simd128"))]
 type Pair = [f64; 2];
 
-/// Numbers in lanes: every operation is done in each, and rounds as it does with one number alone.
+/// Numbers in lanes: every operation is done in each, and rounds as it does with one number alone; where the crate is built
+/// for relaxed registers a sum of products may round once instead of twice.
 #[derive(Clone, Copy, Debug)]
 pub struct Lanes([Pair; 2]);
 
@@ -73,6 +74,22 @@ impl Number for Lanes {
     #[inline(always)]
     fn clamped(self, limit: Self) -> Self {
         self.zip(limit, |x, limit| larger(smaller(x, limit), minus(limit)))
+    }
+}
+
+impl Sums<Self> for Lanes {
+    #[cfg(target_feature = "relaxed-simd")]
+    #[inline(always)]
+    fn plus(self, x: Self, c: Self) -> Self {
+        let plus = |i: usize| simd::f64x2_relaxed_madd(x.0[i], c.0[i], self.0[i]);
+        Self([plus(0), plus(1)])
+    }
+
+    #[cfg(target_feature = "relaxed-simd")]
+    #[inline(always)]
+    fn minus(self, x: Self, c: Self) -> Self {
+        let minus = |i: usize| simd::f64x2_relaxed_nmadd(x.0[i], c.0[i], self.0[i]);
+        Self([minus(0), minus(1)])
     }
 }
 

@@ -16,7 +16,7 @@ use crate::{
         tire_law::{NO_MOMENT, PiecewiseTireLaw, SteeringMoment, TireLaw},
     },
     parameter::{Parameter, StateVariable},
-    real::{Dual, Number, Real},
+    real::{Dual, Real, Sums},
     stability::{Ring, TorsionalTheory},
 };
 
@@ -119,10 +119,10 @@ impl<C: Copy> Motion<C> {
     /// The rate of the state, with the moments over I_z of the spring and of the tire, which is added last, as it takes
     /// longest to come.
     #[inline(always)]
-    fn rate<R: Number + Mul<C, Output = R>>(&self, x: &[R; 3], spring: R, tire: R) -> [R; 3] {
+    fn rate<R: Sums<C>>(&self, x: &[R; 3], spring: R, tire: R) -> [R; 3] {
         let [psi, psi_rate, y] = *x;
-        let psi_acceleration = tire - (spring + psi_rate * self.damping);
-        let y_rate = psi * self.velocity + psi_rate * self.lever - y * self.relaxation_rate;
+        let psi_acceleration = tire - spring.plus(psi_rate, self.damping);
+        let y_rate = (psi * self.velocity).plus(psi_rate, self.lever).minus(y, self.relaxation_rate);
         [psi_rate, psi_acceleration, y_rate]
     }
 }

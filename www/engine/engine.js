@@ -34,12 +34,12 @@ export function loadEngine() {
 
 /** The module itself, compiled once for this page and all its workers. */
 export function compiledEngine() {
-  compiling ??= compile();
+  compiling ??= compile(address);
   return compiling;
 }
 
-/** Compiles while the bytes arrive; a server that does not say `application/wasm` gets the slower way. */
-async function compile() {
+/** Compiles while the bytes arrive; a server that does not say `application/wasm` gets the slower way. @param {string} address */
+export async function compile(address) {
   const response = await fetch(address);
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
   const isStreamable = response.headers.get('content-type')?.startsWith('application/wasm');

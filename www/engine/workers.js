@@ -1,5 +1,6 @@
 /**
- * Long work beside the page: the jobs of the engine, in workers that each have an instance of the one compiled module.
+ * Long work beside the page: the jobs of the engine, in workers that each have an instance of the one compiled module; those
+ * that move many motions at once, of the one made for that.
  *
  * @typedef {import('../pkg/shimmy.js').Jobs} Jobs
  * @typedef {keyof Jobs} Kind
@@ -8,19 +9,24 @@
 
 import { compiledEngine } from './engine.js';
 import { Pool } from './pool.js';
+import { compiledForEnsembles } from './relaxed.js';
 import { startWorker } from './start-worker.js';
 import { Assembly, tilesOf } from './tiles.js';
 
-/** @type {Pool | null} */
-let shared = null;
+/** @type {Record<'ensembles' | 'others', Pool | null>} */
+const shared = { ensembles: null, others: null };
 
-/** Workers that leave a core to the page, where there is more than one. */
-const pool = () => (shared ??= workers((navigator.hardwareConcurrency || 2) - 1));
+/** Workers that leave a core to the page, where there is more than one. @param {Kind} kind of their jobs */
+function poolFor(kind) {
+  const most = (navigator.hardwareConcurrency || 2) - 1;
+  if (kind === 'basins' || kind === 'sweep') return (shared.ensembles ??= workers(most, compiledForEnsembles));
+  return (shared.others ??= workers(most));
+}
 
-/** As many workers as asked for, at least one; started when there is work. @param {number} most */
-export const workers = (most) =>
+/** As many workers as asked for, at least one; started when there is work. @param {number} most @param {() => Promise<WebAssembly.Module>} compiled */
+export const workers = (most, compiled = compiledEngine) =>
   new Pool(async () => {
-    const [worker, module] = await Promise.all([startWorker(), compiledEngine()]);
+    const [worker, module] = await Promise.all([startWorker(), compiled()]);
     worker.postMessage({ module });
     return worker;
   }, most);
@@ -38,7 +44,7 @@ export const workers = (most) =>
  * @param {Pool} [options.among] other workers than the page's
  * @returns {Promise<Jobs[K]['result']>}
  */
-export const runJob = (kind, spec, { among, ...options } = {}) => (among ?? pool()).run(kind, spec, options);
+export const runJob = (kind, spec, { among, ...options } = {}) => (among ?? poolFor(kind)).run(kind, spec, options);
 
 /**
  * Runs a job over a plane tile by tile, so that all workers share it.
@@ -53,7 +59,7 @@ export const runJob = (kind, spec, { among, ...options } = {}) => (among ?? pool
  * @param {Pool} [options.among] other workers than the page's
  * @returns {Promise<Jobs[K]['result']>} of the whole plane
  */
-export async function mapTiles(kind, spec, { onTile, onProgress, signal, size, among = pool() } = {}) {
+export async function mapTiles(kind, spec, { onTile, onProgress, signal, size, among = poolFor(kind) } = {}) {
   const whole = new Assembly(spec);
   const tiles = tilesOf(kind, spec, among.size, size);
   const cells = tiles.map(({ columns, rows }) => columns * rows);

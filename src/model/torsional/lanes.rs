@@ -6,7 +6,7 @@ use super::{Gear, Motion, PSI, STATE, System, Torsional, Y};
 use crate::{
     element::tire_law::{ALIGNING_TERMS, CASTING_TERMS},
     model::Mode,
-    real::Number,
+    real::Sums,
     stability::eigenvalues,
 };
 
@@ -97,7 +97,7 @@ impl Laned<f64> {
     }
 }
 
-impl<R: Number> Laned<R> {
+impl<R: Sums<R>> Laned<R> {
     /// The change of the state (ψ, the change of ψ, y) in a step.
     #[inline(always)]
     pub fn rate(&self, x: &[R; 3]) -> [R; 3] {
@@ -107,11 +107,11 @@ impl<R: Number> Laned<R> {
         let (force, moment) = (x[Y].clamped(c[6]), x[Y].clamped(c[7]));
         // Pairs, and pairs of pairs: so nothing waits long for what comes before.
         let square = force * force;
-        let casting = ((c[10] * square + c[9]) * square + c[8]) * force;
+        let casting = c[8].plus(c[9].plus(c[10], square), square) * force;
         let square = moment * moment;
         let fourth = square * square;
-        let (low, middle, high) = (c[12] * square + c[11], c[14] * square + c[13], c[16] * square + c[15]);
-        let aligning = ((high * fourth + middle) * fourth + low) * moment;
-        motion.rate(x, spring, casting + aligning)
+        let (low, middle, high) = (c[11].plus(c[12], square), c[13].plus(c[14], square), c[15].plus(c[16], square));
+        let tire = casting.plus(low.plus(middle.plus(high, fourth), fourth), moment);
+        motion.rate(x, spring, tire)
     }
 }
