@@ -122,7 +122,7 @@ test('from either side of an unstable cycle it goes another way', async () => {
 test('over the gap the gear is dragged as a point, and moved by keys', async () => {
   const { page, leave } = await site.open('#shimmy=2&velocity=50&dampingConstant=100&freeplayAngle=0.017453292519943295&initial.torsionAngle=0.05&lens=cycles&view.cycles=freeplay');
   const point = page.getByRole('slider', { name: 'The gear in the plane' });
-  await page.waitForFunction(() => /±1\.2\d°/.test(document.querySelector('.gap-map .plane-point')?.getAttribute('aria-valuetext') ?? ''), null, { timeout: 15_000 });
+  await page.waitForFunction(() => /±1\.2\d°/.test(document.querySelector('.swing-map .plane-point')?.getAttribute('aria-valuetext') ?? ''), null, { timeout: 15_000 });
   await point.focus();
   await page.keyboard.press('ArrowUp');
   await page.waitForFunction(() => /** @type {HTMLInputElement} */ (document.querySelector('shimmy-dock [data-name="freeplayAngle"] .number')).value !== '1.00');

@@ -27,7 +27,7 @@ const claims = {
   caster: ['shimmies', 'dies-out', 'shimmies', 'dies-out', 'rests'],
   'two-starts': ['shimmies', 'shimmies', 'shimmies'],
   born: ['dies-out', 'shimmies', 'shimmies', 'shimmies'],
-  folded: ['dies-out', 'shimmies', 'shimmies', 'dies-out'],
+  folded: ['dies-out', 'shimmies', 'shimmies', 'dies-out', 'shimmies'],
   held: ['rests', 'shimmies', 'shimmies', 'shimmies', 'shimmies'],
   linear: ['grows', 'shimmies', 'dies-out'],
 };

@@ -15,7 +15,7 @@
  */
 
 import { isVelocityUnit } from '../controls/unit.js';
-import { gapBelowOf, gapParameter, isOrbit, readBranch } from '../lens/cycles/settings.js';
+import { gapBelowOf, gapParameter, isOrbit, readBranch, readFolds } from '../lens/cycles/settings.js';
 import { tableNumbers } from '../lens/cycles/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
@@ -174,6 +174,10 @@ export const readers = {
   'view.branch': (reading, value) => {
     const branch = readBranch(value, reading.table.parameters);
     return branch ? looked(reading, 'branch', value, [branch.range]) : 'unclear';
+  },
+  'view.folds': (reading, value) => {
+    const plane = readFolds(value, reading.table.parameters);
+    return plane ? looked(reading, 'folds', value, [plane.x, plane.y]) : 'unclear';
   },
   story: ({ state }, value) => {
     const [name, step = '0'] = value.split(',');

@@ -53,10 +53,14 @@ const cyclePanels = {
     { name: 'multipliers', element: '#lens-panel .multipliers', title: titled('cycle.multipliers') },
   ],
   methods: [{ name: 'three-methods', element: '#lens-panel .methods-plot shimmy-canvas', title: titled('cycles.view.methods') }],
+  folds: [
+    { name: 'folds', element: '#lens-panel .swing-map shimmy-canvas', title: titled('cycles.view.folds') },
+    { name: 'bifurcation', element: '#lens-panel .folds-branch', title: titled('cycles.view.branch') },
+  ],
   tables: [],
   basins: [{ name: 'basins', element: '#lens-panel .basins-plane shimmy-canvas', title: titled('cycles.view.basins') }],
   freeplay: [
-    { name: 'swings', element: '#lens-panel .gap-map shimmy-canvas', title: titled('gap.title') },
+    { name: 'swings', element: '#lens-panel .swing-map shimmy-canvas', title: titled('gap.title') },
     { name: 'bifurcation', element: '#lens-panel .gap-branch', title: titled('cycles.view.freeplay') },
   ],
 };

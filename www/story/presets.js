@@ -127,6 +127,7 @@ const stories = {
     { state: { ...twoEndings, ...branches('velocity:20:80') } },
     { state: { ...twoEndings, ...branches('velocity:20:80', { branchSweep: 'on' }) }, goesOn: true },
     { state: { ...folding(34, 0.3), ...branches('velocity:20:80') } },
+    { state: { ...twoEndings, lens: 'cycles', views: { cycles: 'folds', folds: 'velocity:20:80,dampingConstant:0:30' } } },
   ],
   held: [
     { state: rubbing(0.05) },

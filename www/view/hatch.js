@@ -50,9 +50,10 @@ export function hatchOf(box, isInside, { line }) {
  * @param {CanvasRenderingContext2D} context
  * @param {Float32Array} ends as `hatchOf` gives them
  * @param {Theme} theme
+ * @param {string} [color]
  */
-export function drawHatch(context, ends, theme) {
-  context.strokeStyle = theme.unstable;
+export function drawHatch(context, ends, theme, color = theme.unstable) {
+  context.strokeStyle = color;
   context.lineWidth = theme.line;
   const { globalAlpha } = context;
   context.globalAlpha = globalAlpha * (theme.scheme === 'dark' ? 0.5 : 0.55);

@@ -90,7 +90,7 @@ export function numberedLines(context, frame, field, levels, placed, theme) {
     const { text } = levels[i];
     const size = { width: context.measureText(text).width + 6, height: theme.size * 1.2 };
     const longest = lines.reduce((most, line) => (line.x.length > most.x.length ? line : most), { x: /** @type {number[]} */ ([]), y: /** @type {number[]} */ ([]) });
-    const box = numberPlaces.map((share) => boxOn(longest, share, size)).find((one) => one && isInside(one, frame)
+    const box = numberPlaces.map((share) => boxOn(longest, share, size)).find((one) => one && isWithinFrame(one, frame)
       && ![...placed, ...sheet.numbers].some((other) => overlap(one, other.box)));
     if (box) sheet.numbers.push({ text, box, color: theme.ink2 });
   });
@@ -163,8 +163,8 @@ function holds(box, frame, across, up) {
   return x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;
 }
 
-/** @param {CanvasRenderingContext2D} context @param {Word[]} words @param {string} font @param {Theme} theme */
-function writeWords(context, words, font, theme) {
+/** @param {CanvasRenderingContext2D} context @param {readonly Word[]} words @param {string} font @param {Theme} theme */
+export function writeWords(context, words, font, theme) {
   context.font = font;
   context.textAlign = 'center';
   context.textBaseline = 'middle';
@@ -212,11 +212,11 @@ function boxOn({ x, y }, share, size) {
 }
 
 /** @param {number} x @param {number} y @param {{ width: number, height: number }} size @returns {Box} */
-function boxAround(x, y, { width, height }) {
+export function boxAround(x, y, { width, height }) {
   return { left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 };
 }
 
 /** @param {Box} box @param {Box} frame */
-function isInside(box, frame) {
+export function isWithinFrame(box, frame) {
   return box.left >= frame.left && box.right <= frame.right && box.top >= frame.top && box.bottom <= frame.bottom;
 }

@@ -1,15 +1,20 @@
 import { drawAxes, frameOf } from './axes.js';
 import { writeCornerReading } from './corner-reading.js';
 import { colorsOfSwings, written } from './map-colors.js';
-import { drawIsoLines, drawMapNumbers } from './map-sheet.js';
+import { drawBoundary } from './boundary.js';
+import { drawHatch } from './hatch.js';
+import { drawIsoLines, drawMapNumbers, writeWords } from './map-sheet.js';
 import { parameterAxis } from './parameter-axis.js';
 import { linear } from './scale.js';
+import { nameScale } from './swing-sheet.js';
 import { textFont, widthOfLabel } from './text.js';
 import { drawVeil } from './veil.js';
 import { drawGuides, drawWorkingPoint } from './working-point.js';
 
 /**
- * A plane of two values of the gear, colored by how widely it swings there in the end, with the gear as a point in it.
+ * A plane of two values of the gear, colored by how widely it swings there in the end, with the curves at which cycles are
+ * born (Hopf) and at which two of them meet (folds), what lies between hatched where two motions are possible, and with the
+ * gear as a point in it.
  *
  * @typedef {import('./axes.js').Box} Box
  * @typedef {import('./canvas.js').Size} Size
@@ -19,7 +24,7 @@ import { drawGuides, drawWorkingPoint } from './working-point.js';
  * @typedef {import('../words/voice.js').Voice} Voice
  * @typedef {{
  *   x: Range & { quantity: Quantity }, y: Range & { quantity: Quantity }, image: CanvasImageSource | null, isOld: boolean,
- *   sheet: Pick<import('./map-sheet.js').MapSheet, 'lines' | 'numbers'> | null, limit: number, point: { x: number, y: number }, readings: readonly string[], veiled: boolean,
+ *   sheet: import('./swing-sheet.js').SwingSheet | null, curves: readonly (import('./boundary.js').BoundaryCurve | import('./boundary.js').FoldCurve)[], limit: number, point: { x: number, y: number }, readings: readonly string[], veiled: boolean,
  * }} Shown `image`: the colors, a pixel a cell; `limit`: the widest swing that colors tell apart, in rad; `readings`: in fewer and fewer words
  */
 
@@ -44,7 +49,7 @@ export function placesOfSwingMap(size, theme, x, y) {
  * @param {Theme} theme
  * @param {Voice} voice
  */
-export function drawSwingMap(context, size, { x: across, y: up, image, isOld, sheet, limit, point, readings, veiled }, theme, voice) {
+export function drawSwingMap(context, size, { x: across, y: up, image, isOld, sheet, curves, limit, point, readings, veiled }, theme, voice) {
   const { frame, x: placeX, y: placeY } = placesOfSwingMap(size, theme, across, up);
   const [width, height] = [frame.right - frame.left, frame.bottom - frame.top];
   if (width < 20 || height < 20) return;
@@ -60,9 +65,17 @@ export function drawSwingMap(context, size, { x: across, y: up, image, isOld, sh
   drawAxes(context, frame, { ...x, name: () => x.name(widthOfLabel(context, x.name(false), theme, 600) > 0.5 * width) }, { ...y, name: () => y.name(isNarrow) }, theme, { up: 'above' });
   const gear = { x: placeX(point.x), y: placeY(point.y) };
   if (veiled) drawVeil(context, frame, theme);
-  else if (sheet && !isOld) {
-    drawIsoLines(context, sheet, theme);
-    drawMapNumbers(context, sheet, theme);
+  else {
+    if (sheet && !isOld) {
+      drawHatch(context, sheet.hatch, theme, theme.ink);
+      drawIsoLines(context, sheet, theme);
+    }
+    context.globalAlpha = 1;
+    drawBoundary(context, curves, placeX, placeY, theme);
+    if (sheet && !isOld) {
+      drawMapNumbers(context, sheet, theme);
+      writeWords(context, sheet.names, textFont(theme, nameScale, 600), theme);
+    }
   }
   drawGuides(context, frame, gear, theme);
   drawWorkingPoint(context, frame, gear, theme);

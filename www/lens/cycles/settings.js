@@ -5,6 +5,7 @@
  *     view.cycleOrbit=space,56,20      how the cycle is drawn: a portrait, or in space from where
  *     view.branch=velocity:1:120,torsionAngle      what varies, and what stands upward
  *     view.branchSweep=on              whether a simulated sweep lies over it
+ *     view.folds=velocity:1:120,dampingConstant:0:100      the plane of folds: to the right, upward
  *     view.gapMap=dampingConstant      what is to the right of the gap
  *     view.gapBelow=law                what is beneath the map: the branch over the gap, or the spring's law with the gap in it
  *     view.cycleTable=5.12             which table
@@ -12,7 +13,7 @@
  */
 
 import { firstLook } from '../../view/look.js';
-import { readRange, writeRange } from '../stability/settings.js';
+import { rangeOf, readRange, writeRange } from '../stability/settings.js';
 import { heights } from './branches.js';
 
 /**
@@ -21,7 +22,7 @@ import { heights } from './branches.js';
  */
 
 /** The views, the first is the usual one; what each is stands in views.js. */
-export const viewNames = /** @type {const} */ (['cycle', 'branch', 'methods', 'tables', 'freeplay', 'basins']);
+export const viewNames = /** @type {const} */ (['cycle', 'branch', 'folds', 'methods', 'tables', 'freeplay', 'basins']);
 
 /** How a cycle can be drawn. */
 export const orbitViews = /** @type {const} */ (['portrait', 'deformation', 'space']);
@@ -71,6 +72,28 @@ export function readBranch(text, parameters) {
 
 /** @param {Branch} branch */
 export const writeBranch = ({ range, height }) => `${writeRange(range)},${height}`;
+
+/**
+ * The plane of folds that a setting names; the damping over the speed where it names none of this gear.
+ * @param {string} text
+ * @param {readonly { name: string, min: number, max: number }[]} parameters
+ * @returns {{ x: Range, y: Range }}
+ */
+export function foldsOf(text, parameters) {
+  const read = readFolds(text, parameters);
+  if (read) return read;
+  const side = (/** @type {string} */ wanted, /** @type {number} */ instead) => rangeOf(parameters.find(({ name }) => name === wanted) ?? parameters[instead]);
+  return { x: side('velocity', 0), y: side('dampingConstant', 1) };
+}
+
+/** @param {string} text @param {readonly { name: string }[]} parameters @returns {{ x: Range, y: Range } | null} null for what is no plane of these */
+export function readFolds(text, parameters) {
+  const [x, y, ...more] = text.split(',').map((part) => readRange(part, parameters));
+  return x && y && more.length === 0 && x.parameter !== y.parameter ? { x, y } : null;
+}
+
+/** @param {{ x: Range, y: Range }} plane */
+export const writeFolds = ({ x, y }) => `${writeRange(x)},${writeRange(y)}`;
 
 /** What can be beneath the map over the gap. */
 export const gapBelows = /** @type {const} */ (['branch', 'law']);

@@ -6,15 +6,22 @@
  * @typedef {import('../../pkg/shimmy.js').BifurcationSpec} BifurcationSpec
  * @typedef {import('../../run/linear-looks.js').Range} Range
  * @typedef {(spec: BifurcationSpec, options: { signal: AbortSignal }) => Promise<Bifurcation>} RunJob
- * @typedef {{ values: Float64Array, columns: number, rows: number }} Amplitudes row by row from the lowest, in rad, at the middle of cells; 0 where it rests
+ * @typedef {import('./two-motions.js').Spans} Spans
+ * @typedef {{ values: Float64Array, columns: number, rows: number, two: readonly Spans[] }} Amplitudes row by row from the lowest, in rad, at the middle of cells; 0 where it rests.
+ *   `two`: where on each row rest and a cycle are both stable
  */
 
+import { frictionParameter } from '../../run/linear-looks.js';
 import { widest } from './branches.js';
+import { twoAlong } from './two-motions.js';
 
 export const [columns, rows] = [120, 32];
 /** So long the gear stands still before anything is followed anew, in ms. */
 const patience = 150;
 const quick = { step: 0.05, tolerance: 1e-4, points: 200, probes: 2 };
+
+/** A row of which nothing can be computed. */
+const none = { amplitudes: new Float64Array(columns), two: [] };
 
 export class SwingPlane {
   /** What is there so far: rows not yet known are as the nearest that is. @type {Amplitudes | null} */ amplitudes = null;
@@ -57,19 +64,20 @@ export class SwingPlane {
   /** @param {{ model: string, parameters: Readonly<Record<string, number>> }} gear @param {Range} x @param {Range} y */
   #begin({ model, parameters }, x, y) {
     const { signal } = this.#abort;
-    /** @type {(Float64Array | null)[]} */
+    /** @type {({ amplitudes: Float64Array, two: Spans } | null)[]} */
     const known = Array.from({ length: rows }, () => null);
     let done = 0;
     for (const row of coarseFirst(rows)) {
       const value = y.from + ((row + 0.5) / rows) * (y.to - y.from);
-      const spec = { model, parameters: { ...parameters, [y.parameter]: value }, parameter: x.parameter, from: x.from, to: x.to, ...quick };
-      this.#run(spec, { signal }).then((diagram) => steadyAlong(diagram, x), () => new Float64Array(columns)).then((amplitudes) => {
+      const values = { ...parameters, [y.parameter]: value };
+      const spec = { model, parameters: values, parameter: x.parameter, from: x.from, to: x.to, ...quick };
+      this.#run(spec, { signal }).then((diagram) => ({ amplitudes: steadyAlong(diagram, x), two: twoAlong(diagram, x, values[frictionParameter] ?? 0) }), () => none).then((followed) => {
         if (signal.aborted) return;
-        known[row] = amplitudes;
+        known[row] = followed;
         done++;
         this.share = done / rows;
         this.isOld = false;
-        this.amplitudes = { columns, rows, values: filled(known) };
+        this.amplitudes = { columns, rows, ...filled(known) };
         this.onChange();
       });
     }
@@ -106,13 +114,14 @@ export function coarseFirst(count) {
   return Array.from({ length: 2 ** bits }, (_, i) => reversed(i)).filter((place) => place < count);
 }
 
-/** Rows that are not known are as the nearest one that is. @param {readonly (Float64Array | null)[]} known */
+/** Rows that are not known are as the nearest one that is. @param {readonly ({ amplitudes: Float64Array, two: Spans } | null)[]} known */
 function filled(known) {
   const values = new Float64Array(known.length * columns);
   const there = known.flatMap((row, i) => (row ? [i] : []));
-  known.forEach((_, i) => {
-    const nearest = there.reduce((best, one) => (Math.abs(one - i) < Math.abs(best - i) ? one : best), there[0]);
-    values.set(/** @type {Float64Array} */ (known[nearest]), i * columns);
+  const two = known.map((_, i) => {
+    const nearest = known[there.reduce((best, one) => (Math.abs(one - i) < Math.abs(best - i) ? one : best), there[0])] ?? none;
+    values.set(nearest.amplitudes, i * columns);
+    return nearest.two;
   });
-  return values;
+  return { values, two };
 }

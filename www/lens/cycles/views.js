@@ -2,6 +2,7 @@ import { html } from 'lit';
 import './basins.js';
 import './branch.js';
 import './cycle.js';
+import './folds.js';
 import './freeplay.js';
 import './methods.js';
 import './tables.js';
@@ -30,6 +31,11 @@ export const cycleViews = {
     template: ({ voice, quantities, settings, isVeiled, watch, outlook }) => html`<shimmy-branch class="stability-panel" .voice=${voice} .quantities=${quantities}
       .settings=${settings} .isVeiled=${isVeiled} .watch=${watch} .outlook=${outlook}></shimmy-branch>`,
     fits: true, needsCycle: true,
+  },
+  folds: {
+    template: ({ voice, quantities, settings, isVeiled, watch }) => html`<shimmy-folds class="stability-panel" .voice=${voice} .quantities=${quantities}
+      .settings=${settings} .isVeiled=${isVeiled} .watch=${watch}></shimmy-folds>`,
+    fits: false, needsCycle: true,
   },
   methods: {
     template: ({ voice, quantities, settings, isVeiled, watch }) => html`<shimmy-methods class="stability-panel" .voice=${voice} .quantities=${quantities}

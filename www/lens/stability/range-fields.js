@@ -16,7 +16,7 @@ export class RangeFields {
   #id;
   /** @type {{ of: string, end: 'from' | 'to', text: string, why: string } | null} */ #refused = null;
 
-  /** @param {import('../stability.js').StabilityLens} lens @param {string} id of the fields, one of their own on the page */
+  /** @param {Pick<import('../stability.js').StabilityLens, 'quantity' | 'scene' | 'requestUpdate'>} lens @param {string} id of the fields, one of their own on the page */
   constructor(lens, id) {
     this.#lens = lens;
     this.#id = id;

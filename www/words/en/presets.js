@@ -84,6 +84,7 @@ export const presets = {
   'preset.folded.2': 'The same gear, a twist of {start}: it swings {swing}, and that does not end.',
   'preset.folded.3': 'The branch folds back to {vFold} m/s. Between two stable motions lies an unstable cycle: start just inside it, just outside.',
   'preset.folded.4': 'Only below {vFold} m/s is there no cycle: at {v} every push dies out.',
+  'preset.folded.5': 'Over speed and damping rest ends at one curve and the cycles at another, the fold. Between the two the start decides: drag the point across.',
 
   'preset.held': 'Held by friction, two endings',
   'preset.held.tells': 'Friction holds the wheel at rest, and a firmer twist still makes it shimmy for good.',

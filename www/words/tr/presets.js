@@ -84,6 +84,7 @@ export const presets = {
   'preset.folded.2': 'Aynı takım, {start} burma: {swing} salınıyor ve bu bitmiyor.',
   'preset.folded.3': 'Dal {vFold} m/s’ye geri katlanıyor. İki kararlı hareketin arasında kararsız bir çevrim var: hemen içinde başlat, hemen dışında başlat.',
   'preset.folded.4': 'Ancak {vFold} m/s altında çevrim yok: {v} m/s’de her itme sönüyor.',
+  'preset.folded.5': 'Hız ile sönüm düzleminde durma bir eğride bitiyor, çevrimler başka bir eğride, katlanmada. İkisinin arasında başlangıç belirler: noktayı karşıya sürükle.',
 
   'preset.held': 'Sürtünme tutuyor, iki son',
   'preset.held.tells': 'Sürtünme tekerleği durağan tutuyor, ama daha sert bir burma onu kalıcı shimmy’ye sokuyor.',
