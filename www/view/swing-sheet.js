@@ -53,7 +53,9 @@ export function swingSheetOf(context, frame, amplitudes, { levels, curves, x, y,
       .find((one) => isWithinFrame(one, frame) && !names.some((other) => overlap(one, other.box)));
     if (box) names.push({ text: name, box, color: curve.kind === 'fold' ? theme.ink : theme.unstable });
   }
-  return { ...numberedLines(context, frame, amplitudes, levels, names, theme), hatch: leaning(hatchOf(frame, (across, up) => hasTwo(1 - across, up), theme), frame), names };
+  // At a fold the swing jumps from nothing: no line of equal swing runs there.
+  const swinging = { ...amplitudes, values: Array.from(amplitudes.values, (value) => value || NaN) };
+  return { ...numberedLines(context, frame, swinging, levels, names, theme), hatch: leaning(hatchOf(frame, (across, up) => hasTwo(1 - across, up), theme), frame), names };
 }
 
 /** The other way than lines of what is unstable lean. @param {Float32Array} ends @param {Box} frame */
