@@ -31,6 +31,7 @@ pub trait Sums<C>: Number + Mul<C, Output = Self> {
 
 impl Sums<f64> for f64 {}
 impl<const D: usize> Sums<f64> for Dual<D> {}
+impl<const D: usize> Sums<Self> for Dual<D> {}
 
 impl Number for f64 {
     #[inline(always)]
@@ -47,6 +48,7 @@ impl Number for f64 {
 /// derivative.
 pub trait Real:
     Sums<f64>
+    + Sums<Self>
     + Div<Output = Self>
     + Neg<Output = Self>
     + Add<f64, Output = Self>
