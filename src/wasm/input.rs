@@ -121,7 +121,11 @@ fn list(js: &JsValue, field: &str, depth: usize) -> Result<Value> {
             (Some(number), _) if texts.is_empty() && records.is_empty() => numbers.push(number),
             // Names are few: a list of more is no list of names.
             (_, Some(text)) if numbers.is_empty() && records.is_empty() && texts.len() < MOST_KEYS => texts.push(text),
-            (None, None) if numbers.is_empty() && texts.is_empty() && records.len() < MOST_KEYS => {
+            (None, None) if numbers.is_empty() && texts.is_empty() && records.len() < MOST_KEYS && depth < DEEPEST => {
+                // A list in a list is none that a field takes, and may hold itself.
+                if is_array(&entry).map_err(|_| unreadable(field))? {
+                    return Ok(Value::List(length as usize));
+                }
                 match read(&entry, &format!("{field}[{index}]"), depth + 1)? {
                     record @ Value::Record(_) => records.push(record),
                     _ => return Ok(Value::List(length as usize)),
