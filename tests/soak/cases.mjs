@@ -73,6 +73,7 @@ function helpers(shimmy, random, models) {
   const what = `${name}(${shown(run)}, ${shown(asked)})`;
   if (ALONE.includes(/** @type {string} */ (name))) judged(what, () => shimmy[/** @type {'spectrum'} */ (/** @type {string} */ (name))](asked));
   else if (name === /** @type {string} */ ('Job')) judged(what, () => worked(shimmy, 'parameter' in question.asked ? 'bifurcation' : 'stabilityMap', asked, random));
+  else if (name === /** @type {string} */ ('identification')) judged(what, () => searched(shimmy, asked));
   else judged(what, () => shimmy[name](run, asked));
   judged('models', () => shimmy.models());
   judged('methods', () => shimmy.methods());
@@ -80,7 +81,7 @@ function helpers(shimmy, random, models) {
 }
 
 /** Functions that take no run. */
-const ALONE = ['spectrum', 'stabilityMap', 'hopfCurve', 'bifurcation', 'foldCurve', 'basins', 'sweep'];
+const ALONE = ['spectrum', 'stabilityMap', 'hopfCurve', 'bifurcation', 'foldCurve', 'basins', 'sweep', 'damperResponse', 'damperRecord'];
 
 /** A job, made in slices, with what it had half-way. @param {Shimmy} shimmy @param {'bifurcation' | 'stabilityMap'} kind @param {any} asked @param {Random} random */
 function worked(shimmy, kind, asked, random) {
@@ -96,6 +97,30 @@ function worked(shimmy, kind, asked, random) {
     return late;
   } finally {
     job.free();
+  }
+}
+
+const DAMPERS = ['bouc-wen', 'modified-bouc-wen', 'modified-bouc-wen-cubic', 'current-dependent-bouc-wen'];
+
+/** A damper on a moving piston. @param {Random} random */
+function piston(random) {
+  const size = () => (random.chance(0.9) ? 10 ** random.between(-4, 1) : random.pick(NUMBERS));
+  const parameters = random.chance(0.3) ? { [random.pick(['gamma', 'beta', 'exponent', 'amplitude'])]: random.chance(0.5) ? 1 + random.below(5) : random.pick(NUMBERS) } : null;
+  const damper = { model: random.pick(DAMPERS), command: random.chance(0.5) ? random.between(0.1, 2) : null, parameters };
+  const excitation = { amplitude: size(), frequency: size(), shape: random.pick(['sine', 'triangle', null]), endAmplitude: random.chance(0.5) ? size() : null };
+  return { damper, excitation, cycles: random.between(0.1, 3), samples: 8 + random.below(30) };
+}
+
+/** A search to its end, what it has half-way, and what it knows then. @param {Shimmy} shimmy @param {any} asked */
+function searched(shimmy, asked) {
+  const search = new shimmy.Identification(asked);
+  try {
+    search.tell(shimmy.fitness(asked, search.ask()));
+    search.result();
+    while (!search.done) search.step();
+    return search.result();
+  } finally {
+    search.free();
   }
 }
 
@@ -152,6 +177,17 @@ const sweep = (random, model) => ({
 
 /** @type {((random: Random, model: Model) => { name: string, asked: unknown })[]} */
 const QUESTIONS = [
+  (random) => {
+    const asked = piston(random);
+    return random.chance(0.5) ? { name: 'damperResponse', asked } : { name: 'damperRecord', asked: { ...asked, noise: random.between(0, 0.2), seed: random.below(9) } };
+  },
+  (random) => {
+    const values = (/** @type {number} */ size) => Float64Array.from({ length: 40 }, () => random.between(-size, size));
+    const record = { displacement: values(0.05), velocity: random.chance(0.5) ? values(1) : null, force: values(2000), interval: random.between(1e-4, 0.1) };
+    const bounds = random.chance(0.3) ? { gamma: [1e5, 1e6], beta: [random.between(-1e5, 1e6), 2e6] } : null;
+    const records = random.chance(0.9) ? [record, { ...record, command: random.between(0.1, 2) }] : random.pick([[], [[]], [record, 1], record]);
+    return { name: 'identification', asked: { model: random.pick(DAMPERS), records, bounds, population: 8, generations: 4, seed: random.below(9) } };
+  },
   (random, { state }) => ({ name: 'forces', asked: state.map(({ scale }) => (random.chance(0.8) ? random.between(-3, 3) * scale : random.pick(NUMBERS))) }),
   (random, { state }) => ({
     name: 'forcesAlong',
