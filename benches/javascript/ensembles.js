@@ -1,5 +1,7 @@
 // Ensembles: trajectories of two seconds that a core takes in a second, beside the scalar loops; and what workers share.
 
+import { fork } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 
 import { shortest } from './contest.js';
@@ -10,6 +12,9 @@ import { shortest } from './contest.js';
 /** Steps of two seconds at 50 Hz, a hundredth of a swing each. */
 const STEPS = 10_000;
 const COUNT = 64;
+/** How often each group of workers does the ensemble in a round, and how many rounds. */
+const TIMES = 8;
+const ROUNDS = 25;
 
 /**
  * As many motions as make this ensemble, none of which settles: the gear is at its critical speed, where a swing neither
@@ -61,24 +66,44 @@ function plain(steps) {
   return x;
 }
 
-/** Ensembles a second of so many workers together. @param {number} count @param {WebAssembly.Module} module */
-async function shared(count, module) {
-  const workers = Array.from({ length: count }, () => new Worker(new URL('./ensemble-worker.js', import.meta.url), { workerData: module }));
-  const one = (/** @type {Worker} */ worker, /** @type {number} */ times) =>
-    new Promise((done) => {
-      worker.once('message', done);
-      worker.postMessage(times);
-    });
-  try {
-    await Promise.all(workers.map((worker) => one(worker, 4)));
-    let best = Infinity;
-    for (let round = 0; round < 5; round++) {
+/** @typedef {(times: number) => Promise<unknown>} Hand what does the ensemble so many times */
+
+/** @param {Worker | import('node:child_process').ChildProcess} hand @param {(times: number) => void} send @returns {Hand} */
+const heard = (hand, send) => (times) =>
+  new Promise((done) => {
+    /** @type {any} */ (hand).once('message', done);
+    send(times);
+  });
+
+/** Trajectories a second of groups of hands, each the best of rounds that take turns: who else is at work hits all alike. @param {Hand[][]} groups */
+async function perSecondOf(groups) {
+  const least = groups.map(() => Infinity);
+  for (const hands of groups) await Promise.all(hands.map((hand) => hand(4)));
+  for (let round = 0; round < ROUNDS; round++) {
+    for (const [place, hands] of groups.entries()) {
       const start = performance.now();
-      await Promise.all(workers.map((worker) => one(worker, 12)));
-      best = Math.min(best, performance.now() - start);
+      await Promise.all(hands.map((hand) => hand(TIMES)));
+      least[place] = Math.min(least[place], performance.now() - start);
     }
-    return (count * 12 * COUNT) / (best / 1000);
+  }
+  return groups.map((hands, place) => (hands.length * TIMES * COUNT) / (least[place] / 1000));
+}
+
+/**
+ * One and two workers, one with relaxed SIMD, and one and two processes that share nothing: what those two gain is what the
+ * machine gives.
+ * @param {WebAssembly.Module} module
+ * @param {WebAssembly.Module | null} relaxed
+ */
+async function shared(module, relaxed) {
+  const workers = [module, module, ...(relaxed ? [relaxed] : [])].map((workerData) => new Worker(new URL('./ensemble-worker.js', import.meta.url), { workerData }));
+  const processes = [1, 2].map(() => fork(fileURLToPath(new URL('./ensemble-process.js', import.meta.url))));
+  const [one, other, ...fused] = workers.map((worker) => heard(worker, (times) => worker.postMessage(times)));
+  const [by, itself] = processes.map((process) => heard(process, (times) => process.send(times)));
+  try {
+    return await perSecondOf([[one], [one, other], [by], [by, itself], ...fused.map((hand) => [hand])]);
   } finally {
+    for (const process of processes) process.kill();
     await Promise.all(workers.map((worker) => worker.terminate()));
   }
 }
@@ -87,17 +112,21 @@ async function shared(count, module) {
  * @param {Shimmy} shimmy
  * @param {string} place
  * @param {WebAssembly.Module} module
+ * @param {WebAssembly.Module | null} relaxed the one with relaxed SIMD, where that can be had
  * @returns {Promise<Row[]>}
  */
-export async function ensembles(shimmy, place, module) {
+export async function ensembles(shimmy, place, module, relaxed) {
   const run = { model: 'torsional', parameters: ENSEMBLE.parameters, initial: { torsionAngle: 0.025 }, method: 'rk4', step: 2e-4, duration: 2, samples: 2 };
   const perSecond = (/** @type {() => unknown} */ work, /** @type {number} */ trajectories) => trajectories / (shortest(work, 1500).least / 1000);
-  const [alone, both] = [await shared(1, module), await shared(2, module)];
+  const [alone, both, by, itself, fused] = await shared(module, relaxed);
+  const times = (/** @type {number} */ two, /** @type {number} */ one) => `${(two / one).toFixed(2)} × one`;
   return [
     { what: `plain JavaScript in ${place}, one by one`, perSecond: perSecond(() => plain(STEPS), 1) },
     { what: `shimmy, wasm in ${place}, one by one (simulate, rk4)`, perSecond: perSecond(() => shimmy.simulate(run), 1) },
     { what: `shimmy, wasm in ${place}, in lanes (basins)`, perSecond: perSecond(() => work(shimmy, 1), COUNT), goal: '≥ 6,500' },
     { what: `the same in one worker`, perSecond: alone },
-    { what: `the same in two workers: ${(both / alone).toFixed(2)} × one`, perSecond: both, goal: '≥ 1.8 ×' },
+    ...(fused ? [{ what: `the same with relaxed SIMD`, perSecond: fused, goal: '≥ 9,000' }] : []),
+    { what: `the same in two workers: ${times(both, alone)}`, perSecond: both, goal: '≥ 1.8 ×' },
+    { what: `in two processes that share nothing: ${times(itself, by)}, which is what the machine gives`, perSecond: itself },
   ];
 }

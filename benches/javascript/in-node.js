@@ -1,8 +1,11 @@
 // Our module in Node: one line of JSON for each measurement.
 
 import { readFile } from 'node:fs/promises';
+import { setFlagsFromString } from 'node:v8';
 
 import init, * as shimmy from '../../www/pkg/shimmy.js';
+
+import { hasRelaxedSimd } from '../../www/engine/relaxed-simd.js';
 
 import { branches } from './branches.js';
 import { theCase } from './case.js';
@@ -19,8 +22,14 @@ console.log(JSON.stringify({ warmUp: { place, ...warmUp(shimmy, theCase) } }));
 console.log(JSON.stringify(ourEntry(shimmy, theCase, place)));
 for (const map of maps(shimmy, place)) console.log(JSON.stringify({ map }));
 for (const branch of branches(shimmy, place)) console.log(JSON.stringify({ branch }));
-for (const ensemble of await ensembles(shimmy, place, module)) console.log(JSON.stringify({ ensemble }));
+for (const ensemble of await ensembles(shimmy, place, module, await relaxed())) console.log(JSON.stringify({ ensemble }));
 for (const identification of identifications(shimmy, place)) console.log(JSON.stringify({ identification }));
 if (!process.argv.includes('--quick')) {
   for (const row of workAndPrecision(shimmy, theCase)) console.log(JSON.stringify({ row }));
+}
+
+/** The module with relaxed SIMD: Node.js 20 knows that only where it is told to. */
+async function relaxed() {
+  if (!hasRelaxedSimd()) setFlagsFromString('--experimental-wasm-relaxed-simd');
+  return hasRelaxedSimd() ? WebAssembly.compile(await readFile(new URL('../../www/pkg/shimmy_relaxed.wasm', import.meta.url))) : null;
 }
