@@ -207,7 +207,7 @@ test('the gear is put on a cycle, which one undo takes back with its value and i
 
 test('points are named; a wheel that friction holds is at rest whatever linear theory says, and that is said', () => {
   const shown = { height: /** @type {const} */ ('torsionAngle'), quantity: velocity, isRubbed: false };
-  assert.deepEqual(pointsOf(speeds, shown, english).map(({ kind, texts, up }) => [kind, texts, up]), [['hopf', ['Hopf 27.6 m/s, supercritical', 'Hopf 27.6 m/s'], 0]]);
+  assert.deepEqual(pointsOf(speeds, shown, english).map(({ kind, texts, up }) => [kind, texts, up]), [['hopf', ['Hopf 27.6 m/s, supercritical', 'Hopf 27.6 m/s', '27.6 m/s'], 0]]);
   assert.equal(pointsOf(speeds, { ...shown, isRubbed: true }, english)[0].texts[0], 'Hopf 27.6 m/s, without friction');
   assert.equal(pointsOf(speeds, { ...shown, isRubbed: true }, voiceOf('tr'))[0].texts[0], 'Hopf 27,6 m/s, sürtünmesiz');
   assert.deepEqual(restOf(speeds, 'torsionAngle', 0).stable, speeds.equilibria.stable);
@@ -221,22 +221,26 @@ test('points are named; a wheel that friction holds is at rest whatever linear t
 test('of a Hopf point is said which way its cycles go, and by which test', () => {
   // The smooth laws of the default gear; the branch beyond Hopf is stable, which is what supercritical says.
   const [said, ...more] = criticalityInWords(speeds, velocity, english);
-  assert.match(said, /^Hopf 27\.6 m\/s: supercritical, .* \(first Lyapunov coefficient −2\d\.\d s⁻¹ rad⁻²\)\.$/);
+  assert.equal(said.name, 'Hopf 27.6 m/s, supercritical');
+  assert.match(said.how, /^\(first Lyapunov coefficient −2\d\.\d s⁻¹ rad⁻²\)$/);
   assert.equal(more.length, 0);
   assert.equal(speeds.cycles[0].stable[1], 1);
   // With a gap the law has a kink at once: the branch tells it, of both ends of the rattle alike.
   const gapped = engine.bifurcation({ model: 'torsional', parameters: { dampingConstant: 100, freeplayAngle: Math.PI / 180 }, parameter: 'velocity', from: 1, to: 120, probes: 0 });
-  assert.match(criticalityInWords(gapped, velocity, english).join(), /^Hopf 3\.2 m\/s, Hopf 73\.0 m\/s: supercritical, .* \(by the branch’s direction/);
+  const both = criticalityInWords(gapped, velocity, english);
+  assert.deepEqual([both.length, both[0].name], [1, 'Hopf 3.2 m/s, Hopf 73.0 m/s, supercritical']);
+  assert.match(both[0].how, /by the branch’s direction/);
   const points = speeds.points.map((point) => ({ ...point, criticality: /** @type {const} */ ('subcritical') }));
-  assert.match(criticalityInWords({ ...speeds, points }, velocity, voiceOf('tr')).join(), /kritik altı.*Lyapunov/);
-  assert.deepEqual(pointsOf({ ...speeds, points }, { height: 'torsionAngle', quantity: velocity, isRubbed: false }, english)[0].texts, ['Hopf 27.6 m/s, subcritical', 'Hopf 27.6 m/s']);
+  const [turkish] = criticalityInWords({ ...speeds, points }, velocity, voiceOf('tr'));
+  assert.match(`${turkish.name} ${turkish.means} ${turkish.how}`, /kritik altı.*kararsız.*Lyapunov/);
+  assert.deepEqual(pointsOf({ ...speeds, points }, { height: 'torsionAngle', quantity: velocity, isRubbed: false }, english)[0].texts, ['Hopf 27.6 m/s, subcritical', 'Hopf 27.6 m/s', '27.6 m/s']);
 });
 
 test('a point is named in fewer words where there is no room for all, and never on another point', () => {
   const mark = (/** @type {number} */ x, /** @type {number} */ y) => ({ kind: /** @type {const} */ ('fold'), x, y, texts: ['a name of many words, far too long', 'brief'] });
   const names = (/** @type {import('../../www/view/axes.js').Box} */ frame, /** @type {ReturnType<typeof mark>[]} */ marks, /** @type {{ x: number, y: number }[]} */ curves = []) => {
     const recorder = recordingContext();
-    drawSpecialPoints(recorder.context, frame, marks, curves, theme);
+    drawSpecialPoints(recorder.context, frame, marks, curves, [], theme);
     return recorder.named('fillText');
   };
   assert.deepEqual(written(names({ left: 0, right: 500, top: 0, bottom: 300 }, [mark(250, 150)])), ['a name of many words, far too long']);

@@ -72,6 +72,8 @@ export class CyclesLens extends PlotLens {
 
   /** @param {Map<string, unknown>} changed */
   updated(changed) {
+    // Where the page scrolls, a view that has been chosen comes in sight with what it shows.
+    if (changed.get('shows') !== undefined && document.documentElement.scrollHeight > window.innerHeight + 1) this.querySelector('.cycles')?.scrollIntoView({ block: 'start' });
     if (changed.size > 0 && this.scene && this.theme) this.draw(this.scene, this.theme);
   }
 

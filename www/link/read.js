@@ -15,7 +15,7 @@
  */
 
 import { isVelocityUnit } from '../controls/unit.js';
-import { gapBelowOf, gapParameter, isOrbit, readBranch, readFolds } from '../lens/cycles/settings.js';
+import { gapBelowOf, gapParameter, isOrbit, methodsBelowOf, readBranch, readFolds } from '../lens/cycles/settings.js';
 import { tableNumbers } from '../lens/cycles/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
@@ -218,6 +218,7 @@ const viewed = {
   branchSweep: (value) => value === 'on' || value === 'off',
   cycleTable: (value) => tableNumbers.includes(value),
   cycleTableSort: isSorting,
+  methodsBelow: (value) => methodsBelowOf(value) === value,
   methodsSort: isSorting,
 };
 

@@ -104,7 +104,7 @@ export function drawBifurcation(context, size, shown, theme, voice) {
   if (isInRange) drawGuideAcross(context, frame, x.at(now.value), theme);
   context.restore();
   if (trust > frame.top + 1.2 * theme.size) writeBeyond(context, { ...frame, bottom: trust }, theme, voice);
-  if (!isOld) drawSpecialPoints(context, frame, shown.points.filter(({ across, up }) => across >= from && across <= to && up <= limit).map(({ kind, across, up, texts }) => ({ kind, x: x.at(across), y: y.at(up), texts })), pointsAlong([...branches, ...(rest && height !== 'frequency' ? [rest] : [])], places), theme);
+  if (!isOld) drawSpecialPoints(context, frame, shown.points.filter(({ across, up }) => across >= from && across <= to && up <= limit).map(({ kind, across, up, texts }) => ({ kind, x: x.at(across), y: y.at(up), texts })), pointsAlong([...branches, ...(rest && height !== 'frequency' ? [rest] : [])], places), ridden(now, places, theme), theme);
   drawKeys();
   if (isInRange && now.cycle && now.cycle.up <= limit) drawRing(context, x.at(now.value), y.at(now.cycle.up), 8 * Math.sqrt(theme.line), now.cycle.stable ? theme.ink : theme.unstable, theme);
   if (isInRange && now.motion !== null) drawPresent(context, x.at(now.value), y.at(Math.min(now.motion, limit)), theme.psi, theme);
@@ -117,6 +117,12 @@ export function drawBifurcation(context, size, shown, theme, voice) {
     writeEdged(context, shown.message, (frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2, theme);
   }
   return places;
+}
+
+/** Where the gear rides, which no name covers. @param {Shown['now']} now @param {Places} places @param {Theme} theme @returns {Box[]} */
+function ridden({ value, motion, cycle }, { x, y }, theme) {
+  const reach = 9 * Math.sqrt(theme.line);
+  return [motion, cycle?.up ?? null].filter((up) => up !== null).map((up) => ({ left: x(value) - reach, right: x(value) + reach, top: y(up) - reach, bottom: y(up) + reach }));
 }
 
 /** Points along lines, no further apart than a letter. @param {readonly Line[]} lines @param {Places} places @returns {{ x: number, y: number }[]} in px */

@@ -30,14 +30,15 @@ const shapes = {
  * @param {Box} frame
  * @param {readonly Mark[]} marks
  * @param {readonly { x: number, y: number }[]} curves points of what names had better not lie on, in px
+ * @param {readonly Box[]} kept what they do not cover
  * @param {Theme} theme
  */
-export function drawSpecialPoints(context, frame, marks, curves, theme) {
+export function drawSpecialPoints(context, frame, marks, curves, kept, theme) {
   const size = reach * Math.sqrt(theme.line);
   /** @type {Box[]} */
   const taken = [];
   // A name never lies on a mark, its own or another's.
-  const feet = marks.map(({ x, y }) => ({ left: x - size, right: x + size, top: y - size, bottom: y + size }));
+  const feet = [...kept, ...marks.map(({ x, y }) => ({ left: x - size, right: x + size, top: y - size, bottom: y + size }))];
   for (const { kind, x, y, texts } of marks) {
     context.beginPath();
     shapes[kind].forEach(([across, down], i) => context[i ? 'lineTo' : 'moveTo'](x + across * size, y + down * size));

@@ -129,7 +129,7 @@ export class Branch extends CyclePanel {
             @change=${(/** @type {Event} */ event) => choose({ height: /** @type {typeof height} */ (pick(event)) })}>
             ${heights.map((one) => html`<option value=${one} ?selected=${one === height}>${one === 'frequency' ? 'f' : shown[one].symbol}${one === 'torsionRate' ? '\u0307' : ''} ${voice.say(shown[one].word)}</option>`)}
           </select>
-          <button type="button" class="framed" aria-pressed=${this.#isSweeping ? 'true' : 'false'} title=${voice.say('branch.sweep.does')}
+          <button type="button" class="framed sweep" aria-pressed=${this.#isSweeping ? 'true' : 'false'} title=${voice.say('branch.sweep.does')}
             @click=${() => this.choose('branchSweep', this.#isSweeping ? 'off' : 'on')}>${voice.say('branch.sweep')} ▸◂</button>
         </div>
         <div class="branch-plane" role="application" tabindex="0" aria-label=${voice.say('branch.does')} title=${voice.say('branch.does')}
@@ -147,7 +147,7 @@ export class Branch extends CyclePanel {
   #facts(cycle, quantity, voice) {
     const { result: diagram, isOld } = this.#work;
     const hopfs = diagram && !isOld ? criticalityInWords(diagram, quantity, voice) : [];
-    const reads = hopfs.length === 0 ? nothing : html`<p class="branch-reads">${hopfs.join(' ')}</p>`;
+    const reads = hopfs.length === 0 ? nothing : html`<p class="branch-reads">${hopfs.map(({ name, means, how }) => html`${name}<span class="spare">: ${means}</span> ${how}. `)}</p>`;
     if (!cycle) return html`<div class="branch-facts"><p>${voice.say('cycle.none')}</p>${reads}</div>`;
     return html`
       <div class="branch-facts">

@@ -44,7 +44,12 @@ export class Cycle extends CyclePanel {
     const { isVeiled } = this;
     const cycle = isVeiled ? null : this.cycle;
     const { name } = this.#orbit;
-    const canvas = html`<shimmy-canvas class="cycle-orbit" .label=${this.#label(cycle, voice)} .paint=${this.#paintOrbit}></shimmy-canvas>`;
+    // The circle and the orbit change places where that is chosen.
+    const isCircle = name === 'multipliers';
+    const circle = { label: this.#multipliersInWords(cycle, voice), paint: this.#paintMultipliers };
+    const orbit = { label: this.#label(cycle, voice), paint: this.#paintOrbit };
+    const [large, small] = isCircle ? [circle, orbit] : [orbit, circle];
+    const canvas = html`<shimmy-canvas class="cycle-orbit" .label=${large.label} .paint=${large.paint}></shimmy-canvas>`;
     return html`
       <div class="cycle">
         <div class="cycle-picture">
@@ -55,7 +60,7 @@ export class Cycle extends CyclePanel {
             ${orbitViews.map((one) => html`<option value=${one} ?selected=${one === name}>${voice.say(`cycle.orbit.${one}`)}</option>`)}
           </select>
         </div>
-        <shimmy-canvas class="multipliers" .label=${this.#multipliersInWords(cycle, voice)} .paint=${this.#paintMultipliers}></shimmy-canvas>
+        <shimmy-canvas class="multipliers" .label=${small.label} .paint=${small.paint}></shimmy-canvas>
         ${isVeiled ? this.veil(voice) : this.#facts(cycle, voice)}
       </div>`;
   }
@@ -119,7 +124,8 @@ export class Cycle extends CyclePanel {
   draw(scene, theme) {
     super.draw(scene, theme);
     this.#picture.hold(scene, this.isVeiled ? null : this.cycle);
-    /** @type {import('../../view/canvas.js').Canvas | null} */ (this.querySelector('.cycle-orbit'))?.redraw();
+    const moving = this.#orbit.name === 'multipliers' ? '.multipliers' : '.cycle-orbit';
+    /** @type {import('../../view/canvas.js').Canvas | null} */ (this.querySelector(moving))?.redraw();
   }
 
   /** @type {import('../../view/canvas.js').Paint} */

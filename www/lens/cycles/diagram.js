@@ -55,31 +55,31 @@ export function pointsOf({ parameter, points, cycles }, { height, quantity, isRu
   return points.map((point) => {
     const isOfRest = point.kind === 'hopf' || point.kind === 'divergence';
     const up = !isOfRest && point.branch !== null ? heightsOf(cycles[point.branch], height)[point.index] : height === 'frequency' ? point.frequency : 0;
-    const name = voice.say(/** @type {Key} */ (`branch.point.${point.kind}`), { value: quantity.write(quantity.snapped(point[parameter]), voice) });
+    const value = quantity.write(quantity.snapped(point[parameter]), voice);
+    const name = voice.say(/** @type {Key} */ (`branch.point.${point.kind}`), { value });
     const whole = isOfRest && isRubbed ? voice.say('branch.frictionless', { point: name }) : point.criticality ? voice.say(`branch.${point.criticality}`, { point: name }) : name;
-    return { kind: point.kind, across: point[parameter], up, texts: whole === name ? [name] : [whole, name] };
+    return { kind: point.kind, across: point[parameter], up, texts: [...new Set([whole, name, value])] };
   });
 }
 
 /**
- * Which way cycles come out of the Hopf points, and what tells that. Of several that differ in nothing else there is one sentence.
+ * Which way cycles come out of the Hopf points, and what tells that. Of several that differ in nothing else there is one.
  * @param {Bifurcation} diagram
  * @param {Quantity} quantity
  * @param {Voice} voice
- * @returns {string[]}
+ * @returns {{ name: string, means: string, how: string }[]} `name`: "Hopf 27.6 m/s, supercritical"; `means`: that in other words; `how`: by which test
  */
 export function criticalityInWords({ parameter, points }, quantity, voice) {
-  /** @type {Map<string, string[]>} */
-  const values = new Map();
+  /** @type {Map<string, { at: string[], criticality: NonNullable<Bifurcation['points'][number]['criticality']>, how: string }>} */
+  const alike = new Map();
   for (const point of points) {
     const { criticality, by, lyapunov } = point;
     if (point.kind !== 'hopf' || !criticality) continue;
-    const value = quantity.write(quantity.snapped(point[parameter]), voice);
     const how = criticality === 'degenerate' || !by ? '' : voice.say(`branch.by.${by}`, { lyapunov: voice.number(lyapunov ?? NaN, decimalsFor(lyapunov ?? NaN, 3)) });
-    const said = voice.say(`branch.${criticality}.means`) + (how && ` ${how}`);
-    values.set(said, [...(values.get(said) ?? []), value]);
+    const before = alike.get(criticality + how)?.at ?? [];
+    alike.set(criticality + how, { at: [...before, voice.say('branch.point.hopf', { value: quantity.write(quantity.snapped(point[parameter]), voice) })], criticality, how });
   }
-  return Array.from(values, ([said, at]) => voice.say('branch.hopf.reads', { point: at.map((value) => voice.say('branch.point.hopf', { value })).join(', '), said }));
+  return Array.from(alike.values(), ({ at, criticality, how }) => ({ name: voice.say(`branch.${criticality}`, { point: at.join(', ') }), means: voice.say(`branch.${criticality}.means`), how }));
 }
 
 /** Where a simulated sweep has come to on its way up and down, and whether it has settled there. @param {Sweep} sweep */

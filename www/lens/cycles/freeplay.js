@@ -67,9 +67,10 @@ export class Freeplay extends CyclePanel {
     const { sides, isVeiled } = this;
     if (!sides) return html`<p class="panel-empty">${voice.say('gap.foreign')}</p>`;
     const { x, y } = sides;
-    const below = gapBelowOf(this.settings.gapBelow ?? '');
+    // On a projector there is room for one picture, the map unless another is chosen.
+    const below = gapBelowOf(this.settings.gapBelow ?? ((this.theme?.line ?? 1) > 1 ? 'map' : ''));
     return html`
-      <div class="gap">
+      <div class="gap" data-below=${below}>
         <div class="plane-choices">
           <span>${voice.say('gap.over', { gap: plainSymbol(y.quantity) })}</span>
           <select class="framed" aria-label=${voice.say('stability.across')} .value=${x.parameter}
@@ -82,7 +83,7 @@ export class Freeplay extends CyclePanel {
           </select>
         </div>
         ${this.#chart.template(voice.say(isVeiled ? 'gap.map.veiled' : 'gap.map', { x: rangeInWords(x.quantity, x, voice), y: rangeInWords(y.quantity, y, voice) }), voice)}
-        ${below === 'law' ? html`<shimmy-canvas class="gap-below gap-law" .label=${voice.say('gap.law')} .paint=${this.#paintLaw}></shimmy-canvas>`
+        ${below === 'map' ? '' : below === 'law' ? html`<shimmy-canvas class="gap-below gap-law" .label=${voice.say('gap.law')} .paint=${this.#paintLaw}></shimmy-canvas>`
           : isVeiled ? this.veil(voice) : html`<shimmy-canvas class="gap-below gap-branch" .label=${voice.say('gap.branch')} .paint=${this.#paintBranch}></shimmy-canvas>`}
       </div>`;
   }

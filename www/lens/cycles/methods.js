@@ -10,6 +10,7 @@ import { lowerName } from '../stability/say.js';
 import { amplitudeColumn, figureColumn, parameterColumn } from './columns.js';
 import { RowsPanel } from './rows-panel.js';
 import { digitsOf } from './say.js';
+import { methodsBelowOf, methodsBelows } from './settings.js';
 import { tableOutButtons } from './table-out.js';
 import { offBy, threeMethods } from './three-methods.js';
 
@@ -63,16 +64,21 @@ export class ThreeMethods extends RowsPanel {
     const velocity = this.quantity('velocity');
     const columns = velocity ? this.#columns(velocity, voice) : [];
     const sorting = this.settings.methodsSort ?? '';
+    const below = methodsBelowOf(this.settings.methodsBelow ?? '');
     const note = valuesLine(this.quantities.filter(({ name }) => name !== 'velocity'), scene.parameters, voice);
     return html`
       <div class="panel-scroll methods" tabindex="0" role="group" aria-label=${voice.say('cycles.view.methods')}>
         ${answer ? this.#sideBySide(answer, voice) : html`<p class="panel-empty">${voice.say('stability.none')}</p>`}
         ${velocity ? html`
-          <div class="methods-plot"><shimmy-canvas .label=${voice.say('methods.plot', { from, to })} .paint=${this.#paint}></shimmy-canvas></div>
+          <select class="framed ready" aria-label=${voice.say('methods.below')} title=${voice.say('methods.below')} .value=${below}
+            @change=${(/** @type {Event} */ event) => this.choose('methodsBelow', /** @type {HTMLSelectElement} */ (event.target).value)}>
+            ${methodsBelows.map((one) => html`<option value=${one} ?selected=${one === below}>${voice.say(`methods.below.${one}`)}</option>`)}
+          </select>
+          ${below === 'curves' ? html`<div class="methods-plot"><shimmy-canvas .label=${voice.say('methods.plot', { from, to })} .paint=${this.#paint}></shimmy-canvas></div>` : html`
           ${figuresTable(this, { caption: voice.say('methods.table', { from, to }), columns: columns.filter(({ name }) => !spare.includes(name)), rows: this.items.filter(isOfTable), of: 'methodsSort', sorting, classOf: ({ spec, isOld }) => [this.isNow({ velocity: spec }) ? 'now' : '', isOld ? 'old' : ''].join(' ') }, voice)}
           <p class="table-out">
             ${tableOutButtons({ said: this.said, take: (format) => this.take(format, { file: 'shimmy-three-methods', title: voice.say('methods.table', { from, to }), note, columns, rows: this.items.filter(isOfTable) }, sorting, voice) }, voice)}
-          </p>` : nothing}
+          </p>`}` : nothing}
       </div>`;
   }
 
@@ -116,7 +122,7 @@ export class ThreeMethods extends RowsPanel {
     }, voice);
     return [
       parameterColumn(velocity, (/** @type {Row} */ { spec }) => spec, voice, press),
-      amplitude('shooting'), amplitude('describing'), off('describing'), amplitude('simulation'), off('simulation'), frequency('shooting'), frequency('describing'), frequency('simulation'),
+      amplitude('shooting'), { ...amplitude('describing'), isSpare: true }, off('describing'), { ...amplitude('simulation'), isSpare: true }, off('simulation'), frequency('shooting'), frequency('describing'), frequency('simulation'),
     ];
   }
 

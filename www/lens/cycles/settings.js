@@ -8,6 +8,7 @@
  *     view.folds=velocity:1:120,dampingConstant:0:100      the plane of folds: to the right, upward
  *     view.gapMap=dampingConstant      what is to the right of the gap
  *     view.gapBelow=law                what is beneath the map: the branch over the gap, or the spring's law with the gap in it
+ *     view.methodsBelow=table          what is beneath the three methods: the curves over the speed, or the table
  *     view.cycleTable=5.12             which table
  *     view.cycleTableSort=…,down       by which column it is sorted; view.methodsSort likewise
  */
@@ -24,8 +25,8 @@ import { heights } from './branches.js';
 /** The views, the first is the usual one; what each is stands in views.js. */
 export const viewNames = /** @type {const} */ (['cycle', 'branch', 'folds', 'methods', 'tables', 'freeplay', 'basins']);
 
-/** How a cycle can be drawn. */
-export const orbitViews = /** @type {const} */ (['portrait', 'deformation', 'space']);
+/** How a cycle can be drawn; the last is what becomes of an aside from it. */
+export const orbitViews = /** @type {const} */ (['portrait', 'deformation', 'space', 'multipliers']);
 
 /**
  * @param {string} text
@@ -95,8 +96,14 @@ export function readFolds(text, parameters) {
 /** @param {{ x: Range, y: Range }} plane */
 export const writeFolds = ({ x, y }) => `${writeRange(x)},${writeRange(y)}`;
 
-/** What can be beneath the map over the gap. */
-export const gapBelows = /** @type {const} */ (['branch', 'law']);
+/** What can be beneath the three methods of the gear as it is. */
+export const methodsBelows = /** @type {const} */ (['curves', 'table']);
+
+/** @param {string} text @returns {typeof methodsBelows[number]} */
+export const methodsBelowOf = (text) => methodsBelows.find((one) => one === text) ?? methodsBelows[0];
+
+/** What can be beneath the map over the gap; `map`: nothing, so that it is large. */
+export const gapBelows = /** @type {const} */ (['branch', 'law', 'map']);
 
 /** @param {string} text @returns {typeof gapBelows[number]} */
 export const gapBelowOf = (text) => gapBelows.find((one) => one === text) ?? gapBelows[0];

@@ -67,6 +67,7 @@ export class CycleTables extends RowsPanel {
         </select>
         ${this.#strangers(voice)}
         ${figuresTable(this, { caption, columns, rows: items, of: 'cycleTableSort', sorting, classOf: ({ spec, isOld }) => [this.isNow(this.#valuesOf(spec)) ? 'now' : '', isOld ? 'old' : ''].join(' ') }, voice)}
+        <p class="theory units">${columns.filter(({ isSpare }) => !isSpare).map(({ head }) => head.replace(', ', '\u00a0')).join(' · ')}</p>
         <p class="table-out">
           ${tableOutButtons({ said: this.said, take: (format) => this.take(format, { file: `shimmy-table-${this.#number}`, title: caption, note: this.#note(voice), columns, rows: items }, sorting, voice) }, voice)}
         </p>
@@ -116,7 +117,7 @@ export class CycleTables extends RowsPanel {
         const quantity = this.quantity(name);
         return quantity ? [parameterColumn(quantity, (/** @type {Row} */ { spec }) => spec[name], voice, i === 0 ? press : undefined)] : [];
       }),
-      { name: 'becomes', unit: '', head: voice.say('cases.becomes'), title: voice.say('cases.becomes'), isWord: true, value: ({ answer }) => answer?.amplitude.torsionAngle ?? null, csv: ({ answer }) => answer?.verdict ?? null, text: verdict, show: verdict },
+      { name: 'becomes', unit: '', head: voice.say('cases.becomes'), title: voice.say('cases.becomes'), isWord: true, isSpare: shows.length > 1, value: ({ answer }) => answer?.amplitude.torsionAngle ?? null, csv: ({ answer }) => answer?.verdict ?? null, text: verdict, show: verdict },
       ...shows.map((state) => amplitudeColumn(state, (/** @type {Row} */ { answer }) => answer?.amplitude[state] ?? null, voice)),
       ...(perGap ? shows.map((state) => this.#perGap(state, voice)) : []),
       figureColumn({ name: 'frequency', unit: 'Hz', head: 'f, Hz', digits: 5, value: (/** @type {Row} */ { answer }) => answer?.frequency ?? null }, voice),

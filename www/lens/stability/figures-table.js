@@ -9,8 +9,9 @@ import { tell } from '../../command.js';
 
 /**
  * @template Row
- * @typedef {{ name: string, title: unknown, value: (row: Row) => number | null, show: (row: Row) => unknown, isWord?: boolean }} Column
- *   `value`: by which it is sorted, what is not known last; `isWord`: no figure, so it stands to the left
+ * @typedef {{ name: string, title: unknown, value: (row: Row) => number | null, show: (row: Row) => unknown, isWord?: boolean, isSpare?: boolean }} Column
+ *   `value`: by which it is sorted, what is not known last; `isWord`: no figure, so it stands to the left; `isSpare`: not
+ *   shown where letters are large
  */
 
 /**
@@ -39,11 +40,13 @@ export function sorted(rows, columns, sorting) {
  */
 export function figuresTable(host, { caption, columns, rows, of, sorting, classOf = () => '' }, voice) {
   const { column: chosen, sign } = sortingOf(columns, sorting);
-  const head = (/** @type {Column<Row>} */ { name, title, isWord }) => {
+  const classOfCell = (/** @type {Column<Row>} */ { isWord, isSpare }) => `${isWord ? '' : 'figure'} ${isSpare ? 'spare' : ''}`;
+  const head = (/** @type {Column<Row>} */ column) => {
+    const { name, title } = column;
     const isChosen = chosen?.name === name;
     const next = !isChosen ? `${name},up` : sign > 0 ? `${name},down` : 'none';
     return html`
-      <th scope="col" class=${isWord ? '' : 'figure'} aria-sort=${isChosen ? (sign > 0 ? 'ascending' : 'descending') : 'none'}>
+      <th scope="col" class=${classOfCell(column)} aria-sort=${isChosen ? (sign > 0 ? 'ascending' : 'descending') : 'none'}>
         <button type="button" class="plain" title=${voice.say('table.sort')} @click=${() => tell(host, 'view', { of, shows: next })}>${title}<span class="sort" aria-hidden="true">${isChosen ? (sign > 0 ? '▴' : '▾') : ''}</span></button>
       </th>`;
   };
@@ -52,8 +55,8 @@ export function figuresTable(host, { caption, columns, rows, of, sorting, classO
       <table>
         <thead><tr>${columns.map(head)}</tr></thead>
         <tbody>${sorted(rows, columns, sorting).map((row) => html`
-          <tr class=${classOf(row)}>${columns.map(({ show, isWord }, i) => (i === 0
-            ? html`<th scope="row" class=${isWord ? '' : 'figure'}>${show(row)}</th>` : html`<td class=${isWord ? '' : 'figure'}>${show(row)}</td>`))}</tr>`)}</tbody>
+          <tr class=${classOf(row)}>${columns.map((column, i) => (i === 0
+            ? html`<th scope="row" class=${classOfCell(column)}>${column.show(row)}</th>` : html`<td class=${classOfCell(column)}>${column.show(row)}</td>`))}</tr>`)}</tbody>
       </table>
     </div>`;
 }
