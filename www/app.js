@@ -8,6 +8,7 @@ import { isVelocityUnit } from './controls/unit.js';
 import { modelsOf } from './engine/models.js';
 import { clockCommands, handsOff } from './commands/clock.js';
 import { controlCommands } from './commands/controls.js';
+import { landingCommands } from './commands/landing.js';
 import { experimentCommands } from './commands/experiment.js';
 import { carriedOut, presentCommands } from './commands/present.js';
 import { storyCommands } from './commands/story.js';
@@ -78,7 +79,7 @@ export class App {
 
   /** All commands by name. @type {Readonly<Record<string, Command>>} */
   commands = {
-    ...clockCommands(this), ...controlCommands(this), ...experimentCommands(this), ...presentCommands(this),
+    ...clockCommands(this), ...controlCommands(this), ...experimentCommands(this), ...landingCommands(this), ...presentCommands(this),
     ...storyCommands(this), ...viewCommands(this),
   };
 

@@ -16,6 +16,6 @@ export const lenses = [
   { name: 'stability', ready: true },
   { name: 'cycles', ready: true },
   { name: 'damper', ready: false },
-  { name: 'landing', ready: false },
+  { name: 'landing', ready: true },
   { name: 'compare', ready: true },
 ];

@@ -1,4 +1,5 @@
 import { viewNames as cycleViews } from './cycles/settings.js';
+import { viewNames as landingViews } from './landing/settings.js';
 import { viewNames } from './stability/settings.js';
 
 /**
@@ -12,6 +13,7 @@ export const viewsOfLens = {
   forces: ['all', 'sideForce', 'aligningMoment', 'restoringMoment', 'frictionMoment'],
   stability: viewNames,
   cycles: cycleViews,
+  landing: landingViews,
   compare: [],
 };
 

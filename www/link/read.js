@@ -20,6 +20,7 @@ import { tableNumbers } from '../lens/cycles/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
 import { isHistories, isMode, isSorting, readLocus, readPlane } from '../lens/stability/settings.js';
+import { readRoll } from '../lens/landing/settings.js';
 import { hasView } from '../lens/views.js';
 import { magnifications } from '../run/fit.js';
 import { mostGhosts } from '../run/ghosts.js';
@@ -219,6 +220,8 @@ const viewed = {
   cycleTable: (value) => tableNumbers.includes(value),
   cycleTableSort: isSorting,
   methodsBelow: (value) => methodsBelowOf(value) === value,
+  landingRoll: (value) => readRoll(value) !== null,
+  landingSort: isSorting,
   methodsSort: isSorting,
 };
 

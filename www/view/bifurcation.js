@@ -1,5 +1,6 @@
 import { trusted } from '../run/trusted.js';
 import { axisUp, drawAxes, frameOf } from './axes.js';
+import { curveOf, strokeCurve } from './curve.js';
 import { drawGuideAcross } from './guide.js';
 import { keysAbove } from './key.js';
 import { parameterAxis } from './parameter-axis.js';
@@ -25,9 +26,9 @@ import { drawVeil } from './veil.js';
  *   rest: Line | null, branches: readonly Line[], points: readonly { kind: import('./special-points.js').Kind, across: number, up: number, texts: readonly string[] }[],
  *   law: { slope: number, text: string } | null, sweep: readonly { value: number, way: 'up' | 'down', up: number, isSettled: boolean }[],
  *   now: { value: number, motion: number | null, cycle: { up: number, stable: boolean } | null }, cursor: { across: number, up: number } | null,
- *   isOld: boolean, message: string, veiled: boolean,
+ *   isOld: boolean, message: string, veiled: boolean, path?: { across: ArrayLike<number>, up: ArrayLike<number>, text: string, isOld: boolean },
  * }} Shown `law`: a line through the origin; `now`: the gear's own value, the swing it makes and its cycle; `cursor`: the place
- *   that keys have walked to; `message`: what is said where there is no branch
+ *   that keys have walked to; `path`: a run whose value changes as it goes; `message`: what is said where there is no branch
  * @typedef {{ frame: Box, x: (value: number) => number, y: (value: number) => number }} Places
  */
 
@@ -54,6 +55,13 @@ const lawStyle = (context, theme) => {
   context.setLineDash([2 * theme.line, 4 * theme.line]);
 };
 
+/** @type {import('./strokes.js').Style} */
+const pathStyle = (context, theme) => {
+  context.strokeStyle = theme.psi;
+  context.lineWidth = 2.2 * theme.line;
+  context.setLineDash([]);
+};
+
 /**
  * @param {CanvasRenderingContext2D} context
  * @param {import('./canvas.js').Size} size
@@ -72,6 +80,7 @@ export function drawBifurcation(context, size, shown, theme, voice) {
     ...(hasUnstable ? [{ entry: { text: voice.say('branch.key.unstable'), short: voice.say('branch.key.unstable.short'), style: unstableCycle }, color }] : []),
     ...(hasBeyond ? [{ entry: { text: voice.say('branch.beyond'), short: voice.say('branch.beyond.short'), style: beyond }, color: theme.ink2 }] : []),
     ...(law && !veiled ? [{ entry: { text: law.text, style: lawStyle }, color: theme.freeplayText }] : []),
+    ...(shown.path && !veiled ? [{ entry: { text: shown.path.text, style: pathStyle }, color: theme.psi }] : []),
     ...(shown.sweep.length > 0 && !veiled ? [
       { entry: { text: `▸ ${voice.say('branch.sweep.up')}`, style: null }, color: theme.force }, { entry: { text: `◂ ${voice.say('branch.sweep.down')}`, style: null }, color: theme.y },
       ...(shown.sweep.every(({ isSettled }) => isSettled) ? [] : [{ entry: { text: `▹ ${voice.say('branch.sweep.unsettled')}`, style: null }, color: theme.ink2 }]),
@@ -99,6 +108,11 @@ export function drawBifurcation(context, size, shown, theme, voice) {
   if (rest && height !== 'frequency') drawLine(context, rest, places, theme);
   for (const branch of branches) drawLine(context, branch, places, theme);
   if (law) inStyle(context, theme, lawStyle, () => segment(context, x.at(0), y.at(0), x.at(to), y.at(law.slope * to)));
+  const { path } = shown;
+  if (path) {
+    context.globalAlpha = path.isOld ? 0.45 : 1;
+    inStyle(context, theme, pathStyle, () => strokeCurve(context, curveOf(path.across, path.up, x.at, y.at)));
+  }
   context.globalAlpha = 1;
   for (const { value, up, ...stop } of shown.sweep) drawStop(context, x.at(value), y.at(up), stop, theme);
   if (isInRange) drawGuideAcross(context, frame, x.at(now.value), theme);

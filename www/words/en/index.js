@@ -3,6 +3,7 @@ import { controls } from './controls.js';
 import { cycles } from './cycles.js';
 import { damper } from './damper.js';
 import { fittings } from './fittings.js';
+import { landing } from './landing.js';
 import { lens } from './lens.js';
 import { out } from './out.js';
 import { page } from './page.js';
@@ -15,5 +16,5 @@ import { story } from './story.js';
 
 /** Every string of the page in English, area by area. `{name}` is filled in; the Turkish table has the same keys and names. */
 export const en = {
-  ...atlas, ...controls, ...cycles, ...damper, ...fittings, ...lens, ...out, ...page, ...plots, ...present, ...presets, ...stability, ...stage, ...story,
+  ...atlas, ...controls, ...cycles, ...damper, ...fittings, ...landing, ...lens, ...out, ...page, ...plots, ...present, ...presets, ...stability, ...stage, ...story,
 };
