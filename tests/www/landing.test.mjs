@@ -6,7 +6,7 @@ import { Quantity } from '../../www/controls/quantity.js';
 import { cases } from '../../www/lens/landing/cases.js';
 import { gearOf, gearWith, isLive, rollNow } from '../../www/lens/landing/gear.js';
 import { RollSet } from '../../www/lens/landing/roll-set.js';
-import { amplitudesOf, distancesOf, momentsOf, shimmyOf, stretchesOf, thresholdOf } from '../../www/lens/landing/roll.js';
+import { amplitudesOf, distancesOf, momentsOf, shimmyOf, stretchesOf, thresholdOf, windowOf } from '../../www/lens/landing/roll.js';
 import { reasonsInWords, summaryOf } from '../../www/lens/landing/say.js';
 import { durationOf, readRoll, refusedIn, rollOf, usualRoll, writeRoll } from '../../www/lens/landing/settings.js';
 import { RollWork } from '../../www/lens/landing/roll-work.js';
@@ -32,7 +32,8 @@ const near = (got, expected, error) => assert.ok(Math.abs(got - expected) <= err
 function ringing(amplitude, { from = 80, braking = 3, to = 5 } = {}) {
   const end = (from - to) / braking;
   const time = Float64Array.from({ length: 40_001 }, (_, i) => (i * end) / 40_000);
-  return { time, velocity: time.map((at) => from - braking * at), torsionAngle: time.map((at) => amplitude(at) * Math.sin(100 * Math.PI * at)) };
+  const [torsionAngle, torsionRate] = [Math.sin, Math.cos].map((wave, i) => time.map((at) => amplitude(at) * (100 * Math.PI) ** i * wave(100 * Math.PI * at)));
+  return { time, velocity: time.map((at) => from - braking * at), torsionAngle, torsionRate };
 }
 
 test('speed and distance are those of even braking: v₀t − bt²/2', () => {
@@ -56,8 +57,18 @@ test('no peak is lost, however few stretches there are', () => {
   }
   assert.ok(Math.max(...amplitudesOf(stretchesOf(roll, 90))) > 0.29);
   // More stretches than samples: none is empty.
-  const sparse = { time: [0, 1, 2], velocity: [3, 2, 1], torsionAngle: [0.1, -0.2, 0.3] };
+  const sparse = { time: [0, 1, 2], velocity: [3, 2, 1], torsionAngle: [0.1, -0.2, 0.3], torsionRate: [0, 0, 0] };
   assert.ok(stretchesOf(sparse, 50).low.every(Number.isFinite));
+});
+
+test('between rows that are few the window shows the motion all the same', () => {
+  // Seven rows a cycle of 50 Hz.
+  const time = Float64Array.from({ length: 351 }, (_, i) => i / 350);
+  const roll = { time, velocity: time.map(() => 50), torsionAngle: time.map((at) => Math.sin(100 * Math.PI * at)), torsionRate: time.map((at) => 100 * Math.PI * Math.cos(100 * Math.PI * at)) };
+  const seen = windowOf(roll, 0.3, 0.42, 200);
+  assert.ok(seen.torsionAngle.every((angle, i) => Math.abs(angle - Math.sin(100 * Math.PI * seen.time[i])) < 4e-3));
+  // Before touchdown and after the end there is nothing more.
+  assert.ok([...windowOf(roll, -0.1, 0.1, 50).torsionAngle, ...windowOf(roll, 0.9, 1.2, 50).torsionAngle].every(Number.isFinite));
 });
 
 test('it shimmies from the first swing that is wider than a degree to the last, and its widest is told', () => {

@@ -16,13 +16,13 @@ export function standInRoll(parameters, { from, to, braking, start = 0.01 }) {
   const interval = (from - to) / braking / (count - 1);
   const time = Float64Array.from({ length: count }, (_, i) => i * interval);
   const velocity = time.map((at) => from - braking * at);
-  const torsionAngle = new Float64Array(count);
+  const [torsionAngle, torsionRate] = [new Float64Array(count), new Float64Array(count)];
   torsionAngle[0] = start;
   for (let i = 1; i < count; i++) {
     if (i % block === 1) simulator.set('velocity', velocity[i]);
     simulator.advance(interval);
-    torsionAngle[i] = simulator.state()[0];
+    [torsionAngle[i], torsionRate[i]] = simulator.state();
   }
   simulator.free();
-  return { time, velocity, torsionAngle };
+  return { time, velocity, torsionAngle, torsionRate };
 }

@@ -2,26 +2,21 @@
  * What the lens asks the engine for: the landing roll of a gear, and the branches of cycles that it rolls over.
  *
  * @typedef {import('./settings.js').RollValues} RollValues
- * @typedef {import('./roll.js').Roll} Roll
  * @typedef {{ model: string, parameters: Readonly<Record<string, number>> }} Gear
  */
 
-import { durationOf } from './settings.js';
+/** Rows for drawing: more than the steps of any landing, so that each is there, and every turn of ψ among them. */
+const rows = 200_000;
+/** A picture needs no more, and a landing of the usual length is there within a frame or two. */
+const rtol = 1e-6;
+/** What an absurd gear may cost. */
+const maxSteps = 1_000_000;
 
-/** Samples a second: thirty in a cycle of 50 Hz, which lose two thirds of a percent of a peak at most. */
-const fine = 1600;
-
-/** The roll of a gear. @param {Gear} gear @param {RollValues} roll */
+/** The roll of a gear. @param {Gear} gear @param {RollValues} roll @returns {import('../../pkg/shimmy.js').Run & { parameters: Record<string, number> }} */
 export function rollSpec({ model, parameters }, { torsionAngle, ...roll }) {
-  return { model, parameters: { ...parameters }, initial: { torsionAngle }, ...roll, samples: Math.max(2, Math.ceil(fine * durationOf(roll))) };
+  const { velocity: _, ...others } = parameters;
+  return { model, parameters: others, initial: { torsionAngle }, ...roll, rows, rtol, maxSteps };
 }
-
-/**
- * Has a roll computed beside the page.
- * @param {typeof import('../../engine/workers.js').runJob} run @param {ReturnType<typeof rollSpec>} spec @param {{ signal: AbortSignal }} options
- * @returns {Promise<Roll>}
- */
-export const rolled = (run, spec, options) => /** @type {any} */ (run)('landingRoll', spec, options);
 
 /** The branches under a roll, a little further than it goes. @param {Gear} gear @param {RollValues} roll @returns {import('../../pkg/shimmy.js').BifurcationSpec} */
 export const branchSpec = ({ model, parameters }, roll) => ({

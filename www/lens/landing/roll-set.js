@@ -9,7 +9,7 @@
  * @typedef {{ spec: Case, answer: Answer | null, isOld: boolean, isFailed: boolean }} Item
  */
 
-import { rolled, rollSpec } from './ask.js';
+import { rollSpec } from './ask.js';
 import { gearWith } from './gear.js';
 import { shimmyOf, stretchesOf, thresholdOf } from './roll.js';
 
@@ -74,7 +74,7 @@ export class RollSet {
     this.#going = abort;
     this.#cases.forEach(async (spec, i) => {
       const fitted = gearWith(gear, spec);
-      const answer = await rolled(this.#run, rollSpec(fitted, roll), { signal: abort.signal }).then((one) => answerOf(one, thresholdOf(fitted.parameters)), () => null);
+      const answer = await this.#run('landingRoll', rollSpec(fitted, roll), { signal: abort.signal }).then((one) => answerOf(one, thresholdOf(fitted.parameters)), () => null);
       if (abort.signal.aborted) return;
       this.items = this.items.map((item, at) => (at === i ? { spec, answer, isOld: false, isFailed: answer === null } : item));
       this.onChange();

@@ -13,7 +13,7 @@ import { Panel } from '../stability/panel.js';
 import { isSameList } from '../../store.js';
 import { branchSpec } from './ask.js';
 import { gearOf, isLive, rollNow } from './gear.js';
-import { amplitudesOf } from './roll.js';
+import { amplitudesOf, windowOf } from './roll.js';
 import { RollFields } from './roll-fields.js';
 import { RollWork } from './roll-work.js';
 import { reasonsInWords, speedOf, summaryOf } from './say.js';
@@ -27,8 +27,8 @@ import { reasonsInWords, speedOf, summaryOf } from './say.js';
 const degree = Math.PI / 180;
 /** The window around now, in s. */
 const span = /** @type {[number, number]} */ ([-0.08, 0.04]);
-/** Samples of the roll that are enough for it. */
-const windowSamples = 400;
+/** Samples that are enough for it. */
+const windowSamples = 240;
 /** One arrow key moves the time by this share of the roll. */
 const keyStep = 0.01;
 /** While its height would tell how wide it swings, an axis ends here, in rad. */
@@ -185,7 +185,7 @@ export class LandingRoll extends Panel {
     if (speeds[0]) speeds[0].text += ` ${quantity.unit}`;
     const places = drawRollHistory(context, size, {
       from: touchdown.time, to: stop.time, band: stretches, limit: this.#limit, threshold, freeplay: scene.parameters.freeplayAngle ?? 0, now: this.#time,
-      speeds, window: windowOf(roll, this.#time), span, isOld, veiled: this.isVeiled,
+      speeds, window: windowOf(roll, this.#time + span[0], this.#time + span[1], windowSamples), span, isOld, veiled: this.isVeiled,
     }, theme, voice);
     this.#from.history = places?.from ?? null;
   };
@@ -279,16 +279,6 @@ function whereOf(holds, end) {
     else after = middle;
   }
   return (before + after) / 2;
-}
-
-/** The samples around a time. @param {import('./roll.js').Roll} roll @param {number} now */
-function windowOf({ time, torsionAngle }, now) {
-  const last = time.length - 1;
-  const place = (/** @type {number} */ at) => Math.round(Math.min(Math.max(at / time[last], 0), 1) * last);
-  const [from, to] = [Math.max(0, place(now + span[0]) - 1), Math.min(last, place(now + span[1]) + 1)];
-  const stride = Math.max(1, Math.floor((to - from) / windowSamples));
-  const at = Array.from({ length: Math.floor((to - from) / stride) + 1 }, (_, i) => from + i * stride);
-  return { time: at.map((i) => time[i]), torsionAngle: at.map((i) => torsionAngle[i]) };
 }
 
 customElements.define('shimmy-landing-roll', LandingRoll);

@@ -10,7 +10,7 @@
  */
 
 import { BesideWork } from '../cycles/beside-work.js';
-import { branchSpec, rolled, rollSpec } from './ask.js';
+import { branchSpec, rollSpec } from './ask.js';
 import { momentsOf, shimmyOf, stretchesOf, thresholdOf } from './roll.js';
 import { reasonsOf } from './why.js';
 
@@ -25,7 +25,7 @@ export class RollWork {
 
   /** @param {typeof import('../../engine/workers.js').runJob} run */
   constructor(run) {
-    this.#roll = new BesideWork(async (spec, { signal }) => seenOf(await rolled(run, spec, { signal }), thresholdOf(spec.parameters)));
+    this.#roll = new BesideWork(async (spec, { signal }) => seenOf(await run('landingRoll', spec, { signal }), thresholdOf(spec.parameters)));
     this.#branches = new BesideWork((spec, options) => run('bifurcation', spec, options));
     for (const work of [this.#roll, this.#branches]) work.onChange = () => this.onChange();
   }

@@ -1,7 +1,7 @@
 /**
  * A landing roll as it is looked at: how far it has rolled, how wide it swung in each stretch of it, when it shimmied.
  *
- * @typedef {{ time: ArrayLike<number>, velocity: ArrayLike<number>, torsionAngle: ArrayLike<number> }} Roll as the engine gives it: from
+ * @typedef {{ time: ArrayLike<number>, velocity: ArrayLike<number>, torsionAngle: ArrayLike<number>, torsionRate: ArrayLike<number> }} Roll as the engine gives it: from
  *   touchdown on, ascending, no peak left out
  * @typedef {{ time: Float64Array, low: Float64Array, high: Float64Array, velocity: Float64Array, distance: Float64Array }} Stretches
  *   equal ones of time: the least and the largest ψ in each; its middle, the speed and the distance there
@@ -52,12 +52,8 @@ export function momentsOf(roll) {
   const last = time.length - 1;
   return (wanted) => {
     const at = Math.min(Math.max(wanted, time[0]), time[last]);
-    let [before, after] = [0, last];
-    while (after - before > 1) {
-      const middle = (before + after) >> 1;
-      if (time[middle] <= at) before = middle;
-      else after = middle;
-    }
+    const before = rowAt(time, at);
+    const after = Math.min(before + 1, last);
     const span = time[after] - time[before];
     const share = span > 0 ? (at - time[before]) / span : 0;
     const speed = velocity[before] + share * (velocity[after] - velocity[before]);
@@ -82,6 +78,36 @@ export function shimmyOf(roll, threshold) {
     ends: final < 0 || time[final] > end - lastCycles ? null : at(time[final]),
     widest: { ...at(time[widest]), angle: Math.abs(psi[widest]) }, touchdown: at(time[0]), stop: at(end),
   };
+}
+
+/**
+ * The motion between two times of the roll, finely: between its rows the curve that has their angles and rates.
+ * @param {Roll} roll @param {number} from @param {number} to in s @param {number} count
+ */
+export function windowOf({ time, torsionAngle, torsionRate }, from, to, count) {
+  const last = time.length - 1;
+  const times = Float64Array.from({ length: count }, (_, i) => Math.min(Math.max(from + (i * (to - from)) / (count - 1), time[0]), time[last]));
+  let before = rowAt(time, times[0]);
+  const angles = times.map((at) => {
+    while (before < last - 1 && time[before + 1] <= at) before++;
+    const span = time[before + 1] - time[before];
+    const share = span > 0 ? (at - time[before]) / span : 0;
+    const [a, b] = [torsionAngle[before], torsionAngle[before + 1]];
+    const [c, d] = [torsionRate[before] * span, torsionRate[before + 1] * span];
+    return a + share * (c + share * (3 * (b - a) - 2 * c - d + share * (2 * (a - b) + c + d)));
+  });
+  return { time: times, torsionAngle: angles };
+}
+
+/** The last row that is not after a time, but for the very last. @param {ArrayLike<number>} time @param {number} at */
+function rowAt(time, at) {
+  let [before, after] = [0, time.length - 1];
+  while (after - before > 1) {
+    const middle = (before + after) >> 1;
+    if (time[middle] <= at) before = middle;
+    else after = middle;
+  }
+  return before;
 }
 
 /** How wide a stretch swings, in rad. @param {Stretches} stretches */
