@@ -1,12 +1,14 @@
 // The page without its elements, over the real engine, as it opens; and stories of presets and figures for the tests.
 
 import { readFile } from 'node:fs/promises';
-import init, * as engine from '../../www/pkg/shimmy.js';
+import init, * as module from '../../www/pkg/shimmy.js';
 import { App } from '../../www/app.js';
+import { askedInNames } from '../../www/engine/fitted.js';
 
 await init({ module_or_path: await readFile(new URL('../../www/pkg/shimmy_bg.wasm', import.meta.url)) });
 
-export { engine };
+/** As the page asks it. */
+export const engine = askedInNames(module);
 
 /** @param {string} [address] */
 export function openedApp(address = '') {

@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { modelsOf } from '../../www/engine/models.js';
 import { tableNumbers, thesisTables } from '../../www/lens/cycles/thesis-tables.js';
+import { cases } from '../../www/lens/landing/cases.js';
 import { lenses } from '../../www/lens/lenses.js';
 import { besideOf, planesOf } from '../../www/lens/stability/beside-settings.js';
 import { locusOf, planeOf } from '../../www/lens/stability/settings.js';
@@ -39,6 +40,9 @@ const theory = figures.filter(({ entry }) => entry && isTheory(entry.id));
 /** Of cycles: tables 5.8 … 6.5. */
 const tabled = figures.filter(({ entry }) => entry && tableNumbers.some((number) => entry.id === `Table ${number}`));
 
+/** Landings: figures 7.27 … 7.42 and table 7.4. */
+const landings = figures.filter(({ entry }) => entry && (entry.view === 'landing-roll' || entry.id === 'Table 7.4'));
+
 test('the atlas is whole: 283 figures and tables, 153 motions and laws, 61 of linear theory and 11 tables of cycles for this page', () => {
   assert.equal(figures.length, 283);
   assert.equal(new Set(figures.map(({ name }) => name)).size, 283);
@@ -52,7 +56,24 @@ test('each of them can be opened where its lens is there; nothing that needs mor
   for (const { name, entry, isReady } of ours) assert.equal(isReady, isCycle(entry?.id ?? '') ? has('cycles') : true, name);
   for (const { name, isReady } of theory) assert.equal(isReady, name === 'table-5.1' || has('stability'), name);
   for (const { name, isReady } of tabled) assert.equal(isReady, has('cycles'), name);
-  for (const { entry, isReady, name } of figures) if (![...ours, ...theory, ...tabled].some((one) => one.name === name)) assert.ok(!isReady, `${name} ${entry?.view}`);
+  for (const { name, isReady } of landings) assert.equal(isReady, has('landing'), name);
+  for (const { entry, isReady, name } of figures) if (![...ours, ...theory, ...tabled, ...landings].some((one) => one.name === name)) assert.ok(!isReady, `${name} ${entry?.view}`);
+});
+
+test('each landing opens on its damping and current under the lens Landing, and its link opens the same', () => {
+  assert.equal(landings.length, 17);
+  const app = openedApp();
+  for (const { name, entry } of landings) {
+    app.run('open', name);
+    const { state } = app;
+    assert.deepEqual([state.lens, state.clock.mode, state.views.landing], ['landing', 'strobe', entry?.view === 'table' ? 'table' : 'roll'], name);
+    const [, damping, current] = entry?.title.match(/c = (\d+), ([\d.]+) A/)?.map(Number) ?? [0, 20, 0];
+    assert.deepEqual([state.parameters.dampingConstant, state.parameters['damper.command'], state.parameters['damper.leverArm']], [damping, current, 0.1], name);
+    assert.equal(state.views.landingRoll, '80,3,5,0,0.01');
+    assert.equal(cases.some(({ figure, dampingConstant, current: amperes }) => figure === name && dampingConstant === damping && amperes === current), entry?.view !== 'table');
+    const again = openedApp(app.link);
+    assert.deepEqual([again.state.object, again.state.parameters, again.state.views], [state.object, state.parameters, state.views], name);
+  }
 });
 
 test('each plane opens on the gear and the ranges of its figure, and its link opens the same', () => {

@@ -29,6 +29,7 @@ const claims = {
   born: ['dies-out', 'shimmies', 'shimmies', 'shimmies'],
   folded: ['dies-out', 'shimmies', 'shimmies', 'dies-out', 'shimmies'],
   held: ['rests', 'shimmies', 'shimmies', 'shimmies', 'shimmies'],
+  landing: ['shimmies', 'shimmies', 'shimmies', 'shimmies', 'rests'],
   linear: ['grows', 'shimmies', 'dies-out'],
 };
 

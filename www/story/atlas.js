@@ -12,6 +12,7 @@ import { lenses } from '../lens/lenses.js';
 import { readyBesides } from '../lens/stability/beside-settings.js';
 import { thesisLocus, writePlane } from '../lens/stability/settings.js';
 import { isReady } from '../object/objects.js';
+import { landingOf } from './landings.js';
 
 /** What of a run the page can set; a run with more (a damper, a landing) is not its yet. */
 const known = ['model', 'parameters', 'initial', 'duration'];
@@ -99,6 +100,8 @@ function placeOf(name) {
 /** @param {AtlasEntry} entry @returns {Story} */
 function figureOf(entry) {
   const name = entry.id.toLowerCase().replace(' ', '-');
+  const landing = landingOf(entry);
+  if (landing) return { name, kind: 'figure', entry, isReady: lenses.some((lens) => lens.name === landing.lens && lens.ready), steps: [{ state: landing }] };
   const run = runOf(entry);
   const look = Object.hasOwn(looks, entry.view) ? looks[entry.view](entry) : undefined;
   if (!run || !look || !isReady(run.model) || Object.keys(run).some((key) => !known.includes(key)))

@@ -9,6 +9,10 @@
  */
 
 import { modelsOf } from '../engine/models.js';
+import { rollSpec } from '../lens/landing/ask.js';
+import { gearOf } from '../lens/landing/gear.js';
+import { shimmyOf, thresholdOf } from '../lens/landing/roll.js';
+import { rollOf } from '../lens/landing/settings.js';
 import { decimalsOf } from '../words/number.js';
 import { objectOf, parametersOf } from './story.js';
 
@@ -30,6 +34,8 @@ export function factsOf(engine, { state, asks }, voice) {
   const swing = (/** @type {Run} */ of) => `±${angle(engine.outlook(of).amplitude.torsionAngle)}`;
   const linear = (/** @type {Record<string, number>} */ others) => engine.routhHurwitz({ model, parameters: { ...parameters, ...others } });
   const casters = () => engine.unstableIntervals({ model, parameters }, { parameter: 'casterLength', from: -0.5, to: 0.5 });
+  const roll = () => rollOf(state.views?.landingRoll ?? '');
+  const landed = () => shimmyOf(engine.landingRoll(rollSpec(gearOf({ object: model, parameters }), roll())), thresholdOf(parameters));
   /** @type {Record<string, number>} */
   const noGap = 'freeplayAngle' in parameters ? { freeplayAngle: 0 } : {};
   return {
@@ -66,6 +72,13 @@ export function factsOf(engine, { state, asks }, voice) {
       const { points } = engine.bifurcation({ model, parameters, parameter: 'friction.moment', from: 0, to: 2000 });
       return up(Math.max(...points.filter(({ kind }) => kind === 'fold').map((point) => point['friction.moment'])), 0, voice);
     },
+    /** Of a landing: its speeds at touchdown, when it begins and ends to shimmy, and its widest swing. */
+    get vTouchdown() { return plain(roll().touchdownVelocity); },
+    get braking() { return plain(roll().deceleration); },
+    get vBegins() { return voice.number(landed().begins?.velocity ?? NaN, 1); },
+    get vEnds() { return voice.number(landed().ends?.velocity ?? NaN, 1); },
+    get widest() { return `±${angle(landed().widest.angle)}`; },
+    get current() { return plain(parameters['damper.command']); },
     get eUpper() { return up(casters()[0]?.to ?? NaN, 3, voice); },
     get eLower() { return down(casters()[0]?.from ?? NaN, 3, voice); },
   };

@@ -7,6 +7,8 @@
  * @typedef {import('./story.js').Story} Story
  */
 
+import { settingOf } from './landings.js';
+
 const degree = Math.PI / 180;
 const twist = { torsionAngle: 0.05 };
 const touch = { torsionAngle: 0.01 };
@@ -34,6 +36,12 @@ const rolling = (velocity, dampingConstant, others) => ({ parameters: { velocity
 const gapped = (halfGap, velocity = 50) => ({
   ...rolling(velocity, 100, { freeplayAngle: halfGap * degree }), initial: { torsionAngle: 1.5 * Math.max(halfGap, 1) * degree }, knobs: ['freeplayAngle', 'velocity', 'dampingConstant', 'casterLength'],
 });
+
+/** A landing from 80 m/s down to 5. @param {number} deceleration in m/s² @param {number | null} current of the MR damper, in A */
+const landed = (deceleration, current) => settingOf({
+  model: 'torsional', parameters: { dampingConstant: 20 }, initial: touch, touchdownVelocity: 80, deceleration, finalVelocity: 5,
+  ...(current !== null && { damper: { model: 'current-dependent-bouc-wen', command: current } }),
+}, 'roll');
 
 const opening = rolling(80, 20);
 const softAndAhead = { casterLength: -0.5, torsionalStiffness: 50_000 };
@@ -135,6 +143,13 @@ const stories = {
     { state: { ...rubbing(0.2), ...branches('velocity:20:120') }, goesOn: true },
     { state: { ...rubbing(0.2), lens: 'cycles', views: { cycles: 'basins' } }, goesOn: true },
     { state: { ...rubbing(0.2), ...branches('friction.moment:0:600') }, goesOn: true },
+  ],
+  landing: [
+    { state: landed(3, null) },
+    { state: landed(3, null), goesOn: true },
+    { state: landed(1, null) },
+    { state: landed(3, 0) },
+    { state: landed(3, 0.5) },
   ],
   linear: [
     { state: { ...opening, object: 'torsional-linear' } },

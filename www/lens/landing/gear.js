@@ -22,6 +22,9 @@ export function gearOf({ object, parameters }) {
   return { model: fitted(object, { roll: 'none' }), parameters: Object.fromEntries(Object.entries(parameters).filter(([name]) => !name.startsWith(place))) };
 }
 
+/** A gear that lands, as an object of the page. @param {string} gear @param {string} damper `none` where there is none */
+export const landingObject = (gear, damper) => fitted(gear, { damper });
+
 /** The damper of the thesis, for a gear that has none. */
 const usualDamper = 'current-dependent-bouc-wen';
 

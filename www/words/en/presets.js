@@ -94,6 +94,14 @@ export const presets = {
   'preset.held.4': 'Two colors, two endings: drag the start across the edge.',
   'preset.held.5': 'Over the friction the branch folds: past {frictionFold} N m no cycle is left, and every twist comes to rest.',
 
+  'preset.landing': 'A landing',
+  'preset.landing.tells': 'Shimmy passes as the aircraft slows down, and later than it should.',
+  'preset.landing.1': 'At {vTouchdown} m/s it touches down and brakes with {braking} m/s². It shimmies, {widest}, down to {vEnds} m/s.',
+  'preset.landing.2': 'Yet below {vBoundary} m/s rest is stable. The swing dies out more slowly than the speed falls: see the line leave the branch.',
+  'preset.landing.3': 'With {braking} m/s² there is more time: now it ends at {vEnds} m/s.',
+  'preset.landing.4': 'An MR damper at {current} A holds the wheel to {widest}, and it is calm from {vEnds} m/s on.',
+  'preset.landing.5': 'With {current} A it never shimmies: {widest} is the touch it landed with.',
+
   'preset.linear': 'Linear against nonlinear',
   'preset.linear.tells': 'Linear theory tells where shimmy begins, not where it ends.',
   'preset.linear.1': 'In linear theory the tire’s force has no limit, and the swing grows without end.',

@@ -94,6 +94,14 @@ export const presets = {
   'preset.held.4': 'İki renk, iki son: başlangıcı sınırın ötesine sürükle.',
   'preset.held.5': 'Sürtünme üzerinde dal katlanıyor: {frictionFold} N m’den sonra çevrim kalmıyor, her burma duruyor.',
 
+  'preset.landing': 'Bir iniş',
+  'preset.landing.tells': 'Uçak yavaşlayınca shimmy geçer, ama geçmesi gerekenden geç.',
+  'preset.landing.1': '{vTouchdown} m/s hızla teker değiyor ve {braking} m/s² ile frenliyor. {vEnds} m/s hızına dek {widest} shimmy var.',
+  'preset.landing.2': 'Oysa {vBoundary} m/s altında denge kararlı. Salınım, hızın düştüğünden daha yavaş sönüyor: çizginin daldan ayrıldığına bak.',
+  'preset.landing.3': '{braking} m/s² ile zaman daha çok: şimdi {vEnds} m/s hızında bitiyor.',
+  'preset.landing.4': '{current} A ile bir MR sönümleyici tekerleği {widest} ile sınırlıyor ve {vEnds} m/s hızından sonra sakin.',
+  'preset.landing.5': '{current} A ile hiç shimmy yok: {widest}, teker değerkenki dokunuştur.',
+
   'preset.linear': 'Doğrusal ve doğrusal olmayan',
   'preset.linear.tells': 'Doğrusal kuram shimmy’nin nerede başladığını söyler, nerede bittiğini değil.',
   'preset.linear.1': 'Doğrusal kuramda lastiğin kuvveti sınırsız, salınım sonsuza dek büyüyor.',
