@@ -178,7 +178,7 @@ fn a_law_is_taken_with_what_it_can_command_or_refused() {
             Code::OutOfRange,
             "control.law",
         ),
-        (bare().fitted(DAMPER).and_then(|run| run.controlled("onoff")), Code::UnknownName, "law"),
+        (bare().fitted(DAMPER).and_then(|run| run.controlled("onoff")), Code::UnknownName, "control.law"),
         (controlled("on-off", &[]).with("control.lag", 0.0), Code::OutOfRange, "control.lag"),
         (controlled("on-off", &[]).with("control.parameters.gain", 1.0), Code::UnknownKey, "parameters"),
     ];

@@ -159,15 +159,20 @@ impl Field {
 
     /// Parameters and start where the axes have these values.
     pub(super) fn at(&self, values: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let (mut parameters, mut x) = (self.run.parameters().to_vec(), self.run.initial().to_vec());
+        let mut parameters = self.run.parameters().to_vec();
         for (axis, value) in self.axes.iter().zip(values) {
-            match axis.what {
-                What::Parameter(index) => parameters[index] = *value,
-                What::State(index) => x[index] = *value,
+            if let What::Parameter(index) = axis.what {
+                parameters[index] = *value;
             }
         }
         let names: Vec<&str> = self.axes.iter().map(|axis| axis.name).collect();
         self.links.follow(self.run.description().table, &mut parameters, &names);
+        let mut x = self.run.start_with(&parameters);
+        for (axis, value) in self.axes.iter().zip(values) {
+            if let What::State(index) = axis.what {
+                x[index] = *value;
+            }
+        }
         (parameters, x)
     }
 

@@ -182,7 +182,10 @@ impl Followers {
     }
 
     fn set_off_alone(&mut self, errand: &mut dyn Errand, start: Start, time: f64) -> Result<()> {
-        let lookout = errand.field().run.placed(&start.values, &start.x, time).problem().lookout()?;
+        let run = &errand.field().run;
+        // The ends of an axis are valid each by itself: with the other values a damper may not take what lies between.
+        run.description().check(&start.values)?;
+        let lookout = run.placed(&start.values, &start.x, time).problem().lookout()?;
         self.alone = Some(Alone { start, lookout });
         Ok(())
     }

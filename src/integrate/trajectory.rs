@@ -205,6 +205,20 @@ impl<S: System<N>, const N: usize> Solving<S, N> {
         Ok(())
     }
 
+    /// Start and end, which need be no peaks.
+    fn add_ends(&self, time: &mut Vec<f64>, states: &mut [Vec<f64>]) {
+        let all = &self.columns;
+        let last = all.time.len() - 1;
+        if time.first() != all.time.first() {
+            time.insert(0, all.time[0]);
+            states.iter_mut().zip(&all.states).for_each(|(column, all)| column.insert(0, all[0]));
+        }
+        if time.last() != all.time.last() {
+            time.push(all.time[last]);
+            states.iter_mut().zip(&all.states).for_each(|(column, all)| column.push(all[last]));
+        }
+    }
+
     /// The time that it has come to, in parts of the whole.
     pub fn fraction(&self) -> f64 {
         if self.end > 0.0 { (self.motion.time() / self.end).min(1.0) } else { 1.0 }
@@ -216,6 +230,7 @@ impl<S: System<N>, const N: usize> Solving<S, N> {
         let (mut time, mut states) = (time.clone(), states.clone());
         if let Output::Rows(most) = self.output {
             thin(&mut time, &mut states, most);
+            self.add_ends(&mut time, &mut states);
         }
         let (stats, scheme) = (self.motion.stats(), self.motion.scheme());
         Trajectory { time, states, events: self.events.clone(), stats, scheme }

@@ -94,7 +94,7 @@ impl Run {
         }
         let control = given("control").map(|control| Fields::of("control", control, &CONTROL)).transpose()?;
         if let Some(control) = &control {
-            run.read_control(control).map_err(|error| error.within("control"))?;
+            run.read_control(control)?;
         }
         let mut parts = run.parts;
         parts.rolls = ROLL.iter().any(|parameter| given(parameter.name).is_some());
@@ -169,8 +169,8 @@ impl Run {
     /// Puts the control law to work that a record names.
     fn read_control(&mut self, fields: &Fields) -> Result<()> {
         let allowed = "the name of a control law, such as on-off";
-        let name = fields.text("law")?.ok_or_else(|| Error::missing("law", allowed))?;
-        self.set_control(name)
+        let name = fields.text("law").and_then(|name| name.ok_or_else(|| Error::missing("law", allowed)));
+        self.set_control(name.map_err(|error| error.within("control"))?)
     }
 
     /// Reads the values of a part: its own fields, and its parameters. They are checked together once all are there.

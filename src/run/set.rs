@@ -51,7 +51,7 @@ impl Run {
 
     /// Puts a control law to work.
     pub(super) fn set_control(&mut self, name: &str) -> Result<()> {
-        let law = control::named(name)?;
+        let law = control::named(name).map_err(|error| error.within("control"))?;
         self.set_parts(Parts { control: Some(law.name), ..self.parts })
     }
 
@@ -80,11 +80,19 @@ impl Run {
 
     /// Lets the state u start at the command, unless it is said to start elsewhere.
     pub(super) fn settle_command(&mut self) {
+        self.initial = self.start_with(&self.parameters);
+    }
+
+    /// Where it starts with other values of all parameters, in table order: the state u at their command, unless it is said to
+    /// start elsewhere.
+    pub(crate) fn start_with(&self, parameters: &[f64]) -> Vec<f64> {
         let description = self.description();
+        let mut start = self.initial.clone();
         let state = description.state.iter().position(|state| state.name == EFFECTIVE_COMMAND);
         if let (false, Some(state)) = (self.effective, state) {
-            self.initial[state] = resting_command(&description, &self.parameters);
+            start[state] = resting_command(&description, parameters);
         }
+        start
     }
 
     pub(super) fn set_initial(&mut self, name: &str, value: f64) -> Result<()> {
