@@ -78,6 +78,8 @@ test('a press on a branch puts the gear on that very cycle, and one undo takes v
   const at = branch.velocity.findIndex((/** @type {number} */ v) => Math.abs(v - velocity) < 0.06);
   assert.ok(at >= 0, `${velocity} is on the branch`);
   const degrees = (branch.amplitude[at] * 180) / Math.PI;
+  // In the field it has no more digits than one reads, and in the link no more than six.
+  assert.match(await knob(page, 'velocity').number.inputValue(), /^\d{2,3}\.\d{1,4}$/);
   await untilSaid(page, '.branch-facts', new RegExp(`±${degrees.toFixed(2).replace('.', '\\.').slice(0, -1)}`));
   await untilSaid(page, 'shimmy-verdict', /settled/);
   await page.keyboard.press('Control+z');
@@ -116,6 +118,35 @@ test('from either side of an unstable cycle it goes another way', async () => {
   await untilVerdict(page, 'It dies out');
   await page.getByRole('button', { name: 'Just outside' }).click();
   await untilVerdict(page, 'It shimmies');
+  await leave();
+});
+
+test('at a Hopf point is said which way its cycles go, and by which test, on the diagram and beneath it', async () => {
+  const { page, leave } = await opened('&view.cycles=branch');
+  await untilSaid(page, '.branch-reads', /^Hopf 27\.6 m\/s, supercritical: small cycles begin where rest is unstable \(first Lyapunov coefficient −2\d\.\d s⁻¹ rad⁻²\)\./);
+  assert.match(await page.locator('.branch-plane canvas').getAttribute('aria-label') ?? '', /Hopf 27\.6 m\/s, supercritical/);
+  await leave();
+});
+
+test('in the plane of folds either of two motions is started, and the gear goes to where it is dragged or pressed', async () => {
+  const folded = '#shimmy=2&velocity=40&dampingConstant=10&casterLength=-0.05&sideForceLimitAngle=0.05235987755982988&aligningMomentLimitAngle=0.3490658503988659&initial.torsionAngle=0.3&lens=cycles&view.cycles=folds&view.folds=velocity:20:80,dampingConstant:0:30';
+  const { page, leave } = await site.open(folded);
+  await page.getByRole('button', { name: 'From a touch' }).click({ timeout: 20_000 });
+  await untilVerdict(page, 'It dies out');
+  await page.getByRole('button', { name: 'From a push' }).click();
+  await untilVerdict(page, 'It shimmies');
+  const point = page.getByRole('slider', { name: 'The gear in the plane' });
+  await page.waitForFunction(() => /rest or ±1\d/.test(document.querySelector('.folds .plane-point')?.getAttribute('aria-valuetext') ?? ''), null, { timeout: 15_000 });
+  const box = await point.boundingBox();
+  assert.ok(box);
+  await page.mouse.click(box.x + 160, box.y + 22);
+  await page.waitForFunction(() => Number(/** @type {HTMLInputElement} */ (document.querySelector('shimmy-dock [data-name="velocity"] .number')).value) > 50);
+  await untilSaid(page, '.branch-facts', /^One motion here/);
+  await page.keyboard.press('Control+z');
+  assert.equal(await knob(page, 'velocity').number.inputValue(), '40.0');
+  // Any two values: one takes the place of the other side's.
+  await page.getByRole('combobox', { name: 'Upward' }).selectOption('casterLength');
+  await page.waitForURL(/view\.folds=velocity:20:80,casterLength:/);
   await leave();
 });
 
@@ -173,7 +204,11 @@ test('where every start ends alike a gear with two endings is offered, and one u
 
 test('three methods side by side for the gear and over the speed, and the table as a file', async () => {
   const { page, leave } = await opened('&view.cycles=methods');
+  await page.locator('.methods-plot canvas').waitFor();
+  await page.getByRole('combobox', { name: 'What is beneath' }).selectOption('table');
+  await page.waitForURL(/view\.methodsBelow=table/);
   await page.waitForFunction(() => document.querySelectorAll('.methods .figures-table tbody tr:not(.old)').length >= 11);
+  await page.locator('.three').waitFor();
   const here = await page.locator('.three').innerText();
   assert.match(here, /±15\.05°\s*−0\.89\s%\s*±15\.19°\s*±15\.19°/);
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'CSV' }).click()]);
@@ -221,7 +256,7 @@ test('while it is to be guessed nothing of a cycle is seen or heard, on any view
     const { page, leave } = await opened(`&view.cycles=${view}&predict=1`);
     await page.locator('.panel-veil').first().waitFor();
     const heard = await page.locator('shimmy-cycles-lens .cycles').evaluate((lens) => [lens.textContent, ...[...lens.querySelectorAll('[aria-label], [title]')].map((one) => `${one.getAttribute('aria-label')} ${one.getAttribute('title')}`)].join(' '));
-    assert.doesNotMatch(heard, /\d+\.\d|stable limit cycle|dies out|Hopf/i, view);
+    assert.doesNotMatch(heard, /\d+\.\d|stable limit cycle|dies out|Hopf|two motions|critical|beyond/i, view);
     assert.equal(await page.locator('.sparkline').count(), 0);
     await leave();
   }
@@ -239,6 +274,46 @@ test('the page as one file has the lens inside', async () => {
   const { page, leave } = await site.openAt(`${fileAddress}${gear}&view.cycles=branch`);
   await untilBranches(page);
   await untilSaid(page, '.branch-facts', /±15\.19°/);
+  await leave();
+});
+
+test('figures of cycles and of the gap open in one click: on the settled orbit, beside a branch, on the law of the gap', async () => {
+  const { page, leave } = await site.open();
+  await untilVerdict(page, 'It shimmies');
+  for (const [number, selector] of [['5.102a', '.cycle .turntable'], ['5.102b', '.cycle-orbit'], ['5.102c', '.branch-plane'], ['6.8', '.gap-branch'], ['6.1', '.gap-law']]) {
+    await page.keyboard.press('/');
+    await page.keyboard.type(`figure ${number}`);
+    await page.keyboard.press('Enter');
+    await page.locator(selector).waitFor();
+    await page.waitForURL((url) => url.hash.includes('lens=cycles') && url.hash.endsWith(`story=figure-${number}`));
+  }
+  await leave();
+});
+
+test('on a projector letters of tables are as large as elsewhere, and there is one picture at a time', async () => {
+  const { page, leave } = await opened('&view.cycles=tables', { viewport: { width: 1024, height: 768 } });
+  const sizes = () => page.locator('.cycles :is(th, td, .theory)').evaluateAll((all) => all.filter((one) => /** @type {HTMLElement} */ (one).offsetWidth > 0).map((one) => parseFloat(getComputedStyle(one).fontSize)));
+  await untilSaid(page, '.cycle-tables', /144\.07/);
+  assert.ok((await sizes()).every((size) => size >= 17), String(await sizes()));
+  assert.match(await page.locator('.units').innerText(), /^v.m\/s · c.N m s\/rad · ψ.° /);
+  await page.locator('#lens-panel select.views').selectOption('methods');
+  await page.getByRole('combobox', { name: 'What is beneath' }).selectOption('table');
+  await page.locator('.methods .figures-table:not(.three) tbody').waitFor();
+  assert.ok((await sizes()).every((size) => size >= 17), String(await sizes()));
+  await page.locator('#lens-panel select.views').selectOption('cycle');
+  await page.getByRole('combobox', { name: 'How the cycle is drawn' }).selectOption('multipliers');
+  assert.match(await page.locator('.cycle-orbit canvas').getAttribute('aria-label') ?? '', /^Floquet multipliers/);
+  const { height = 0 } = await page.locator('.cycle-orbit canvas').boundingBox() ?? {};
+  assert.ok(height >= 240, `${height}`);
+  await leave();
+});
+
+test('on a phone a view that is chosen comes in sight with what it shows', async () => {
+  const { page, leave } = await opened('&view.cycles=branch', { viewport: { width: 390, height: 844 }, hasTouch: true });
+  await page.locator('#lens-panel select.views').selectOption('basins');
+  const [picture, stage, dock] = await Promise.all(['.basins-plane canvas', 'shimmy-stage', 'shimmy-dock'].map((selector) => page.locator(selector).boundingBox()));
+  assert.ok(picture && stage && dock);
+  assert.ok(picture.y >= stage.y + stage.height - 1 && picture.y + picture.height <= dock.y + 1, JSON.stringify([picture, stage, dock]));
   await leave();
 });
 

@@ -12,7 +12,7 @@ import { RowsPanel } from './rows-panel.js';
 import { digitsOf } from './say.js';
 import { methodsBelowOf, methodsBelows } from './settings.js';
 import { tableOutButtons } from './table-out.js';
-import { offBy, threeMethods } from './three-methods.js';
+import { methodByMethod, offBy, threeMethods } from './three-methods.js';
 
 /**
  * @typedef {import('./three-methods.js').Answer} Answer
@@ -36,7 +36,9 @@ const percent = 100;
  * @extends {RowsPanel<number, Answer>}
  */
 export class ThreeMethods extends RowsPanel {
-  /** Of the gear as it is. @type {{ key: string, answer: Answer | null }} */ #here = { key: '', answer: null };
+  /** Of the gear as it is, and of which; null while nothing is known. @type {{ key: string, answer: Answer | null } | null} */ #here = null;
+  /** What is being asked of the gear, a method a frame. @type {{ key: string, steps: Generator<void, Answer, void> } | null} */ #asking = null;
+  #next = 0;
   /** The axis holds while a slider moves. @type {{ scales: object | null, limit: number }} */ #axis = { scales: null, limit: 1 };
 
   wanted() {
@@ -51,16 +53,47 @@ export class ThreeMethods extends RowsPanel {
     return this.askCycles((cycles) => threeMethods(cycles, { velocity }, before?.cycle ?? null));
   }
 
-  /** The gear as it is, asked once. @param {import('../../run/scene.js').Scene} scene */
-  #look({ object, parameters }) {
-    const key = JSON.stringify([object, parameters]);
-    if (key !== this.#here.key) this.#here = { key, answer: this.askCycles((cycles) => threeMethods(cycles, {}, this.cycle)) };
-    return this.#here.answer;
+  disconnectedCallback() {
+    cancelAnimationFrame(this.#next);
+    this.#next = 0;
+    super.disconnectedCallback();
   }
+
+  /** @param {import('../../run/scene.js').Scene} scene @param {import('../../style/theme.js').Theme} theme */
+  draw(scene, theme) {
+    super.draw(scene, theme);
+    if (!this.isVeiled && this.#keyOf(scene) !== this.#here?.key) this.#next ||= requestAnimationFrame(this.#ask);
+  }
+
+  /** @param {import('../../run/scene.js').Scene} scene */
+  #keyOf({ object, parameters }) {
+    return JSON.stringify([object, parameters]);
+  }
+
+  /** A method more of the gear as it is. One that is asked is asked to the end, though the gear has changed: a hand that drags sees it follow. */
+  #ask = () => {
+    this.#next = 0;
+    const { scene, cycle } = this;
+    if (!scene || this.isVeiled || !this.isConnected) return;
+    this.#asking ??= { key: this.#keyOf(scene), steps: methodByMethod(scene.cycles, {}, cycle) };
+    const { key, steps } = this.#asking;
+    try {
+      const { done, value } = steps.next();
+      if (done) this.#here = { key, answer: value };
+    } catch {
+      // Values so wild that no number comes of them.
+      this.#here = { key, answer: null };
+    }
+    if (this.#here?.key === key) {
+      this.#asking = null;
+      this.requestUpdate();
+    }
+    if (this.#here?.key !== this.#keyOf(scene)) this.#next = requestAnimationFrame(this.#ask);
+  };
 
   /** @param {Voice} voice @param {import('../../run/scene.js').Scene} scene */
   content(voice, scene) {
-    const answer = this.#look(scene);
+    const here = this.#here;
     const velocity = this.quantity('velocity');
     const columns = velocity ? this.#columns(velocity, voice) : [];
     const sorting = this.settings.methodsSort ?? '';
@@ -68,7 +101,7 @@ export class ThreeMethods extends RowsPanel {
     const note = valuesLine(this.quantities.filter(({ name }) => name !== 'velocity'), scene.parameters, voice);
     return html`
       <div class="panel-scroll methods" tabindex="0" role="group" aria-label=${voice.say('cycles.view.methods')}>
-        ${answer ? this.#sideBySide(answer, voice) : html`<p class="panel-empty">${voice.say('stability.none')}</p>`}
+        ${here?.answer ? this.#sideBySide(here.answer, voice) : html`<p class="panel-empty">${voice.say(here ? 'stability.none' : 'methods.computing')}</p>`}
         ${velocity ? html`
           <select class="framed ready" aria-label=${voice.say('methods.below')} title=${voice.say('methods.below')} .value=${below}
             @change=${(/** @type {Event} */ event) => this.choose('methodsBelow', /** @type {HTMLSelectElement} */ (event.target).value)}>
@@ -122,7 +155,7 @@ export class ThreeMethods extends RowsPanel {
     }, voice);
     return [
       parameterColumn(velocity, (/** @type {Row} */ { spec }) => spec, voice, press),
-      amplitude('shooting'), { ...amplitude('describing'), isSpare: true }, off('describing'), { ...amplitude('simulation'), isSpare: true }, off('simulation'), frequency('shooting'), frequency('describing'), frequency('simulation'),
+      amplitude('shooting'), { ...amplitude('describing'), isSpare: true }, off('describing'), { ...amplitude('simulation'), isSpare: true }, off('simulation'), { ...frequency('shooting'), isSpare: true }, frequency('describing'), frequency('simulation'),
     ];
   }
 

@@ -23,11 +23,25 @@ const wider = 1.5;
  * @returns {Answer}
  */
 export function threeMethods(cycles, values, near) {
+  const steps = methodByMethod(cycles, values, near);
+  for (let step = steps.next(); ; step = steps.next()) if (step.done) return step.value;
+}
+
+/**
+ * The same method by method, so that no frame waits for all three.
+ * @param {CycleLooks} cycles
+ * @param {Readonly<Record<string, number>>} values
+ * @param {LimitCycle | null} near
+ * @returns {Generator<void, Answer, void>}
+ */
+export function* methodByMethod(cycles, values, near) {
   const guess = guessOf(near);
   const warm = guess && cycles.near(guess, values);
   const found = warm?.found ? warm : cycles.fromRest(values);
   const shooting = found.found ? numberOf(found.amplitude, found.frequency) : null;
+  yield;
   const predicted = cycles.predicted(values);
+  yield;
   // Of several that are predicted, the one that is nearest to what is there; else the largest that would be seen.
   const nearest = shooting
     ? predicted.reduce((best, one) => (distance(one, shooting) < distance(best, shooting) ? one : best), predicted[0])

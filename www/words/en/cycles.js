@@ -128,6 +128,7 @@ export const cycles = {
   'basins.computing': 'Following many starts …',
 
   'methods.here': 'The gear as it is',
+  'methods.computing': 'Asking one method after the other …',
   'methods.below': 'What is beneath',
   'methods.below.curves': 'Over the speed',
   'methods.below.table': 'As a table',

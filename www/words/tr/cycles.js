@@ -128,6 +128,7 @@ export const cycles = {
   'basins.computing': 'Birçok başlangıç izleniyor …',
 
   'methods.here': 'Takım bu haliyle',
+  'methods.computing': 'Yöntemlere sırayla soruluyor …',
   'methods.below': 'Alttaki',
   'methods.below.curves': 'Hız üzerinde',
   'methods.below.table': 'Tablo olarak',
