@@ -24,6 +24,7 @@ import { settlingTime } from './run/fit.js';
 import { Ink } from './present/ink.js';
 import { OpeningAct } from './present/opening-act.js';
 import { Clock } from './run/clock.js';
+import { lands, slowingTime } from './run/landing.js';
 import { LinearTheory } from './run/linear-theory.js';
 import { linksThatHold } from './run/links.js';
 import { slowRateFor } from './run/rate.js';
@@ -46,6 +47,8 @@ import { languages, voiceOf } from './words/voice.js';
 
 /** @type {readonly string[]} */
 const none = [];
+/** Of a gear that lands. */
+const landingKnobs = ['dampingConstant', 'touchdownVelocity', 'deceleration', 'damper.command'];
 
 export class App {
   /** @type {Engine | null} */ engine = null;
@@ -75,6 +78,7 @@ export class App {
   /** @type {Map<string, Record<string, number>>} */ #usual = new Map();
   /** @type {LinearTheory | null} */ #theory = null;
   /** @type {SwingScent | null} */ #swings = null;
+  /** The values of a gear as it touches down. @type {{ of: object | null, parameters: Record<string, number> }} */ #touchdown = { of: null, parameters: {} };
   /** Follows branches of cycles beside the page; null where nobody does. @type {import('./run/swing-scent.js').Follow | null} */ follow = null;
 
   /** All commands by name. @type {Readonly<Record<string, Command>>} */
@@ -126,8 +130,13 @@ export class App {
     return { damper: (this.engine?.dampers() ?? []).map(({ name }) => name).filter(takes) };
   }
 
+  /** Those that can be set: the speed of a gear that lands is what its landing makes it. */
+  get settable() {
+    return lands(this.state.object) ? this.quantities.filter(({ name }) => name !== 'velocity') : this.quantities;
+  }
+
   /** Where the gear is unstable as one value varies; null where nothing is known of that. @param {string} parameter */
-  unstable = (parameter) => this.#theory?.unstable(this.state, parameter) ?? null;
+  unstable = (parameter) => this.#theory?.unstable(this.#rolling, parameter) ?? null;
 
   /** How widely the gear swings as one value varies; null where that is not known yet. Another function when more is known. */
   swings = this.#swingsNow();
@@ -139,12 +148,12 @@ export class App {
 
   /** The knobs that the story is about, the most telling first; none where it leaves the choice to the dock. */
   get knobs() {
-    return told(this)?.step.state.knobs ?? none;
+    return told(this)?.step.state.knobs ?? (lands(this.state.object) ? landingKnobs : none);
   }
 
   /** How much of the run the timeline shows at least, in s; undefined where nobody asks for a time. */
   get duration() {
-    return told(this)?.step.state.duration;
+    return told(this)?.step.state.duration ?? (lands(this.state.object) ? slowingTime(this.state.parameters) : undefined);
   }
 
   /** @param {string} object @returns {Record<string, number>} */
@@ -278,8 +287,16 @@ export class App {
     this.isLookDue = true;
   }
 
+  /** The state; of a gear that lands as it touches down. */
+  get #rolling() {
+    const { state } = this;
+    if (!lands(state.object)) return state;
+    if (this.#touchdown.of !== state.parameters) this.#touchdown = { of: state.parameters, parameters: { ...state.parameters, velocity: state.parameters.touchdownVelocity } };
+    return { ...state, parameters: this.#touchdown.parameters };
+  }
+
   #swingsNow() {
-    return (/** @type {string} */ parameter) => this.#swings?.of(this.state, parameter) ?? null;
+    return (/** @type {string} */ parameter) => this.#swings?.of(this.#rolling, parameter) ?? null;
   }
 
   /** @param {string} object */

@@ -121,7 +121,7 @@ export class Loop {
   #look(session, now) {
     const app = this.#app;
     const isDue = app.isLookDue || now - this.#lookedAt >= outlookPause;
-    if (session.isStale || (isDue && (session.isHeld || (app.clock.isPlaying && !session.outlook.settled)))) session.refresh();
+    if (session.isStale || (isDue && (session.isHeld || (app.clock.isPlaying && (session.isLanding || !session.outlook.settled))))) session.refresh();
     // A hand that lets go has the session look ahead by itself, so the outlook is asked for and not who made it.
     if (!isDue && session.outlook === this.#shown) return;
     this.#shown = session.outlook;

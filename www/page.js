@@ -113,13 +113,13 @@ export class Page extends LitElement {
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}></shimmy-lens-tabs>
           ${lensElement(lens, { voice, shows: views[lens] ?? '', views, isVeiled, quantities }, this.#lensArrived)}
           ${withoutWhy.includes(lens) ? '' : html`<shimmy-why .voice=${voice} .isVeiled=${isVeiled}></shimmy-why>`}
-          ${app.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.all', { count: quantities.length })} .voice=${voice}
-            .object=${object} .fittings=${app.fittings} .quantities=${quantities} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
+          ${app.isDrawerOpen ? html`<shimmy-drawer role="region" aria-label=${voice.say('dock.all', { count: app.settable.length })} .voice=${voice}
+            .object=${object} .fittings=${app.fittings} .quantities=${app.settable} .values=${parameters} .links=${links} .usual=${app.usual} .change=${change}
             .unstable=${app.unstable} .swings=${app.swings} .explained=${app.explained} .isVeiled=${isVeiled}></shimmy-drawer>` : ''}
           ${explained ? html`<shimmy-explanation role="dialog" aria-labelledby="explanation-name" .quantity=${explained} .model=${object}
             .voice=${voice}></shimmy-explanation>` : ''}
         </section>
-        <shimmy-dock role="region" aria-label=${voice.say('dock.name')} .voice=${voice} .knobs=${app.knobs} .quantities=${quantities} .values=${parameters}
+        <shimmy-dock role="region" aria-label=${voice.say('dock.name')} .voice=${voice} .knobs=${app.knobs} .quantities=${app.settable} .values=${parameters}
           .links=${links} .usual=${app.usual} .change=${change} .unstable=${app.unstable} .swings=${app.swings} .explained=${app.explained} .isOpen=${app.isDrawerOpen}
           .isVeiled=${isVeiled} ?data-breathes=${app.act?.moment === 'breath'}></shimmy-dock>
       </main>`;

@@ -151,9 +151,9 @@ test('the gear that lands is the one on the stage, with its own landing where it
   const scene = { object: 'torsional', parameters };
   assert.equal(isLive(scene), false);
   assert.equal(rollNow(scene, { landingRoll: '70,3,5,0,0.01' }).touchdownVelocity, 70);
-  const landing = { object: 'torsional.bouc-wen.none.landing', parameters: { ...parameters, 'damper.command': 0.5, 'landing.touchdownVelocity': 60 } };
+  const landing = { object: 'torsional.bouc-wen.none.landing', parameters: { ...parameters, 'damper.command': 0.5, touchdownVelocity: 60 } };
   assert.equal(rollNow(landing, { landingRoll: '70,3,5,0,0.01' }).touchdownVelocity, 60);
-  assert.deepEqual([gearOf(landing).model, gearOf(landing).parameters['landing.touchdownVelocity']], ['torsional.bouc-wen', undefined]);
+  assert.deepEqual([gearOf(landing).model, gearOf(landing).parameters.touchdownVelocity], ['torsional.bouc-wen', undefined]);
   const values = { dampingConstant: 40, current: 0.75 };
   assert.equal(gearWith(gearOf(scene), values).model, 'torsional.current-dependent-bouc-wen');
   assert.equal(gearWith(gearOf(landing), values).model, 'torsional.bouc-wen');

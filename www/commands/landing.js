@@ -1,4 +1,4 @@
-import { gearOf, gearWith, isLive, placeOf, rollNow } from '../lens/landing/gear.js';
+import { gearOf, gearWith, isLive, rollNow } from '../lens/landing/gear.js';
 import { rollNames, writeRoll } from '../lens/landing/settings.js';
 import { fitted } from '../object/fittings.js';
 import { linksThatHold } from '../run/links.js';
@@ -20,8 +20,10 @@ export function landingCommands(app) {
     /** Another landing: of the gear that lands on the stage its values, else what the lens looks at. @param {RollValues} roll */
     landing: (roll) => {
       const { state, session } = app;
-      const values = Object.fromEntries(rollNames.map((name) => [placeOf(name), roll[name]]).filter(([name]) => name in state.parameters));
+      const values = Object.fromEntries(rollNames.map((name) => [name, roll[name]]).filter(([name]) => /** @type {string} */ (name) in state.parameters));
       if (isLive(state)) session?.setPoint(values, null);
+      // It lands anew, turned otherwise.
+      if (isLive(state) && state.run.initial.torsionAngle !== roll.torsionAngle) store.update({ run: { initial: { ...state.run.initial, torsionAngle: roll.torsionAngle } } });
       store.update({ views: { ...state.views, landingRoll: writeRoll(roll) } });
       app.settled();
     },
@@ -35,7 +37,7 @@ export function landingCommands(app) {
       const landing = fitted(wanted.model, { roll: 'landing' });
       const object = isThere(landing) ? landing : wanted.model;
       /** @type {Record<string, number>} */
-      const own = { ...wanted.parameters, velocity: roll.touchdownVelocity, ...Object.fromEntries(rollNames.map((name) => [placeOf(name), roll[name]])) };
+      const own = { ...wanted.parameters, velocity: roll.touchdownVelocity, ...roll };
       const parameters = Object.fromEntries(Object.entries(app.usualOf(object)).map(([name, usual]) => [name, own[name] ?? usual]));
       leave(app);
       store.open({

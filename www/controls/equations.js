@@ -12,6 +12,7 @@
 
 import { mathml, nothing } from 'lit';
 import { fittingsOf } from '../object/fittings.js';
+import { lands } from '../run/landing.js';
 import { dampers, legendOfDamper } from './damper-equations.js';
 import { bracketed, cases, compared, dotted, equal, fraction, minus, named, negative, number, of, plus, product, sign, size, square, twiceDotted, typeset, written } from './mathml.js';
 
@@ -25,14 +26,14 @@ export function equationsOf(model, lit, voice) {
   const { gear, damper } = fittingsOf(model);
   const p = symbols(lit);
   const isDamped = dampers[damper] !== undefined;
-  const all = [models[gear]?.equations(p, voice, isDamped) ?? [], dampers[damper]?.(p) ?? []];
+  const all = [models[gear]?.equations(p, voice, isDamped) ?? [], dampers[damper]?.(p) ?? [], lands(model) ? landing(p, voice) : []];
   return all.flat().map(typeset);
 }
 
 /** The variables that are no parameters, and what each is. @param {string} model @returns {readonly Legend[]} */
 export function legendOf(model) {
   const { gear, damper } = fittingsOf(model);
-  return [...models[gear]?.legend ?? [], ...(dampers[damper] ? legendOfDamper(damper) : [])];
+  return [...models[gear]?.legend ?? [], ...(dampers[damper] ? legendOfDamper(damper) : []), ...(lands(model) ? [{ symbol: 't', word: /** @type {const} */ ('equation.time') }] : [])];
 }
 
 /**
@@ -109,6 +110,16 @@ function torsionalLinear(p, _, isDamped) {
       minus(fraction(p('κ'), p('v')), dotted(psi)), minus(bracketed(slope), p('F_z'), fraction(written('y'), p('σ'))), minus(written('R')), ...damperMoment(isDamped)),
     kinematics(p),
     friction(p),
+  ];
+}
+
+/** How speed and weight change as it rolls out. @param {Symbols} p @param {Voice} voice @returns {Math[]} */
+function landing(p, voice) {
+  const slowing = mathml`${p('v_0')}<mo>−</mo>${product(p('b'), written('t'))}`;
+  const carried = mathml`${number('1')}<mo>−</mo>${product(p('λ'), square(bracketed(compared(p('v'), '/', p('v_0')))))}`;
+  return [
+    equal(p('v'), cases([slowing, compared(slowing, '>', p('v_f'))], [p('v_f'), mathml`<mtext>${voice.say('equation.afterwards')}</mtext>`])),
+    equal(of(p('F_z'), p('v')), plus(p('F_z'), bracketed(carried))),
   ];
 }
 

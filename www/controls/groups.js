@@ -7,7 +7,7 @@
 
 /** @type {readonly (readonly [Group, readonly string[]])[]} */
 const groups = [
-  ['motion', ['velocity', 'verticalForce']],
+  ['motion', ['velocity', 'touchdownVelocity', 'deceleration', 'finalVelocity', 'liftFraction', 'verticalForce']],
   ['gear', ['dampingConstant', 'friction.moment', 'torsionalStiffness', 'momentOfInertia', 'casterLength']],
   ['tire', [
     'halfContactLength', 'relaxationLength', 'sideForceDerivative', 'sideForceLimitAngle', 'aligningMomentDerivative',

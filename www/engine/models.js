@@ -7,7 +7,8 @@
  * @typedef {Omit<Model, 'parameters'> & { parameters: (Model['parameters'][number] & { of?: string })[] }} Listed `of`: the damper whose it is
  */
 
-import { fitted } from '../object/fittings.js';
+import { fitted, fittingsOf } from '../object/fittings.js';
+import { landingNames } from '../run/landing.js';
 
 /** @param {Pick<Engine, 'models' | 'dampers' | 'runTables'>} engine @returns {Listed[]} */
 export function modelsOf(engine) {
@@ -20,8 +21,20 @@ export function modelsOf(engine) {
     const whose = known.map((parameter) => (parameter.name.startsWith('damper.') ? { ...parameter, of: damper } : parameter));
     return { ...gear, name: fitted(gear.name, { damper }), state, parameters: whose };
   }));
-  return [...bare, ...damped];
+  // Whatever stands on wheels can land.
+  const landing = [...gears, ...damped].map((gear) => {
+    const { gear: model, damper } = fittingsOf(gear.name);
+    const { parameters } = engine.runTables({ model, ...(damper !== 'none' && { damper: { model: damper } }), touchdownVelocity: touchdown });
+    return { ...gear, name: fitted(gear.name, { roll: 'landing' }), parameters: [...gear.parameters, ...parameters.filter(({ name }) => isOfLanding(name))] };
+  });
+  return [...bare, ...damped, ...landing];
 }
+
+/** Any landing has the same table, in m/s. */
+const touchdown = 80;
+
+/** @param {string} name */
+const isOfLanding = (name) => /** @type {readonly string[]} */ (landingNames).includes(name);
 
 /**
  * Values by name as a run names them: an element's in its own record.

@@ -12,7 +12,7 @@ export function viewsOf({ lens, views }) {
   return [
     { name: 'gear', element: '.gear shimmy-canvas', title: (voice) => voice.say('stage.name') },
     { name: 'time', element: 'shimmy-timeline shimmy-canvas', title: (voice) => voice.say('timeline.name') },
-    ...(lens === 'stability' ? stabilityViews(views) : lens === 'cycles' ? cyclesViews(views) : [{ name: lens, element: '#lens-panel shimmy-canvas', title: titled(`lens.${lens}`) }]),
+    ...(lens === 'stability' ? stabilityViews(views) : lens === 'cycles' ? cyclesViews(views) : lens === 'landing' ? landingViews(views) : [{ name: lens, element: '#lens-panel shimmy-canvas', title: titled(`lens.${lens}`) }]),
   ];
 }
 
@@ -68,6 +68,16 @@ const cyclePanels = {
 /** @param {Looked['views']} views @returns {Shown[]} */
 function cyclesViews({ cycles }) {
   return Object.hasOwn(cyclePanels, cycles ?? '') ? cyclePanels[cycles] : cyclePanels.cycle;
+}
+
+/** The views of the lens *Landing*: of many landings and of the table each is taken by itself. @param {Looked['views']} views @returns {Shown[]} */
+function landingViews({ landing = 'roll' }) {
+  if (landing !== 'roll') return [];
+  return [
+    { name: 'runway', element: '#lens-panel .roll-runway shimmy-canvas', title: titled('landing.runway'), note: '#lens-panel .roll-words' },
+    { name: 'roll', element: '#lens-panel .roll-history shimmy-canvas', title: titled('landing.history') },
+    { name: 'branches', element: '#lens-panel .roll-under shimmy-canvas', title: titled('landing.under') },
+  ];
 }
 
 /** @param {string} key @returns {Shown['title']} */

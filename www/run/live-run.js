@@ -18,6 +18,8 @@
  *   had come before it was taken back to `time`
  */
 
+import { gearAt } from './landing.js';
+
 /** Steps that one call may take. A gear of sensible size takes a few a millisecond; an absurd one is stopped. */
 const stepsOfCall = 100_000;
 /** A run is begun again in stretches of this length, each with steps of its own, in s. */
@@ -66,6 +68,11 @@ export class LiveRun {
 
   get time() {
     return this.#simulator.time;
+  }
+
+  /** The gear as it is now: at the speed that it has, where it slows down. */
+  get present() {
+    return gearAt(this.object, this.parameters, this.time);
   }
 
   /** The earliest and the latest time that can be seen. */

@@ -81,7 +81,7 @@ export class Lookout {
 }
 
 /** The run as it goes on from now. @param {LiveRun} live @returns {Onward} */
-export function onward({ object: model, parameters, stateByName: initial }) {
+export function onward({ present: { object: model, parameters }, stateByName: initial }) {
   return { model, parameters, initial, maxSteps: stepsAhead };
 }
 

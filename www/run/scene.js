@@ -16,6 +16,7 @@
 import { roundStep } from '../view/scale.js';
 import { cycleLooks } from './cycle-looks.js';
 import { spanFor } from './fit.js';
+import { lands } from './landing.js';
 import { linearLooks } from './linear-looks.js';
 import { onward, stepsAhead } from './lookout.js';
 
@@ -41,7 +42,8 @@ const poses = 16;
  */
 export function sceneOf({ engine, live, past: pastEnvelope, odometer, lookout, scales, ghosts, isHeld }, wanted) {
   const { moment, trackLength, stretches, exposure, duration } = wanted;
-  const { time, parameters, object, state } = live;
+  const { time, state } = live;
+  const { object, parameters } = live.present;
   const { outlook, energy, frequency, ahead } = lookout;
   const [earliest] = live.range;
   const beat = 1 / (frequency ?? 50);
@@ -61,6 +63,8 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, lookout, s
   return {
     object, time, state, parameters,
     start: live.initial,
+    /** Of a gear that lands its values as they were set; `parameters` are those of the gear as it is now. @type {Readonly<Record<string, number>> | null} */
+    landing: lands(live.object) ? live.parameters : null,
     // Another object once another run was begun.
     begun: /** @type {object} */ (live),
     forces: engine.forces(model, state),
@@ -75,7 +79,7 @@ export function sceneOf({ engine, live, past: pastEnvelope, odometer, lookout, s
     ghosts: ghosts.all.map(({ live: run, outlook: goal, energy: exchanged, kept }) => {
       const pasts = pastsOf(run, -moment[0], ghostCycles * beat, beat);
       return {
-        kept, state: run.state, parameters: run.parameters, outlook: goal, energy: exchanged,
+        kept, state: run.state, parameters: run.present.parameters, outlook: goal, energy: exchanged,
         past: shifted(pasts.past, kept.from), orbitPast: pasts.orbitPast, track: tracked(run, kept.from),
         exposed: exposure > 0 ? endOf(pasts.orbitPast, run.time - exposure) : null,
       };
@@ -116,7 +120,8 @@ function endOf(columns, from) {
  * @param {Engine} engine @param {LiveRun} live @param {number} beat in s
  */
 function looksFurther(engine, live, beat) {
-  const { time, parameters, object } = live;
+  const { time } = live;
+  const { object, parameters } = live.present;
   const model = { model: object, parameters };
   const [earliest] = live.range;
   const cycles = Math.min(spectrumCycles, Math.floor((time - earliest) / beat));

@@ -9,6 +9,7 @@ import { isSameRecord } from '../store.js';
 import { isBeyond, spanFor } from './fit.js';
 import { Ghosts } from './ghosts.js';
 import { followed, linksBrokenBy, linksBrokenByPoint, withFollowers } from './links.js';
+import { landingFrom, lands } from './landing.js';
 import { LiveRun, recipeOf } from './live-run.js';
 import { Lookout } from './lookout.js';
 import { Odometer } from './odometer.js';
@@ -89,7 +90,7 @@ export class Session {
     const { time: _, ...states } = this.#live.history(from, from, 2);
     const initial = Object.fromEntries(Object.entries(states).map(([name, series]) => [name, series[0]]));
     const { to } = spanFor(this.#lookout.ahead, time, range, least);
-    return { model: object, parameters: { ...parameters }, initial, duration: to - from };
+    return { model: object, parameters: this.isLanding ? landingFrom(parameters, from) : { ...parameters }, initial, duration: to - from };
   }
 
   /** What becomes of the motion if nothing changes. */
@@ -110,6 +111,11 @@ export class Session {
   /** Energy of the coming cycle by element; null for a wheel that does not swing. */
   get energy() {
     return this.#lookout.energy;
+  }
+
+  /** Whether its speed falls as it rolls. */
+  get isLanding() {
+    return lands(this.#live.object);
   }
 
   /** Whether the outlook is older than the last change. */
@@ -143,7 +149,7 @@ export class Session {
    */
   advance(seconds) {
     if (!(seconds > 0) || this.failure) return;
-    this.#odometer.drive(this.time, this.#live.parameters.velocity, this.#live.range[0]);
+    this.#odometer.drive(this.time, this.#live.present.parameters.velocity, this.#live.range[0]);
     this.#tried(() => (this.#held ? this.#advanceHeld(this.#held.angle, seconds) : this.#live.advance(seconds)));
     this.ghosts.goTo(this.time);
   }
@@ -331,7 +337,7 @@ export class Session {
     const live = new LiveRun(this.#engine, recipe);
     this.#past.clear();
     this.#odometer = new Odometer();
-    this.#odometer.drive(0, live.parameters.velocity, 0);
+    this.#odometer.drive(0, live.present.parameters.velocity, 0);
     this.failure = live.failure;
     return live;
   }

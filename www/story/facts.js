@@ -35,7 +35,9 @@ export function factsOf(engine, { state, asks }, voice) {
   const linear = (/** @type {Record<string, number>} */ others) => engine.routhHurwitz({ model, parameters: { ...parameters, ...others } });
   const casters = () => engine.unstableIntervals({ model, parameters }, { parameter: 'casterLength', from: -0.5, to: 0.5 });
   const roll = () => rollOf(state.views?.landingRoll ?? '');
-  const landed = () => shimmyOf(engine.landingRoll(rollSpec(gearOf({ object: model, parameters }), roll())), thresholdOf(parameters));
+  /** @type {ReturnType<typeof shimmyOf> | null} */
+  let shimmy = null;
+  const landed = () => shimmy ??= shimmyOf(engine.landingRoll(rollSpec(gearOf({ object: model, parameters }), roll())), thresholdOf(parameters));
   /** @type {Record<string, number>} */
   const noGap = 'freeplayAngle' in parameters ? { freeplayAngle: 0 } : {};
   return {

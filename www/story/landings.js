@@ -33,7 +33,7 @@ export function settingOf({ model, parameters, initial, damper, touchdownVelocit
   return {
     object: landingObject(model, name),
     parameters: {
-      ...parameters, velocity: roll.touchdownVelocity,
+      ...parameters, velocity: roll.touchdownVelocity, touchdownVelocity: roll.touchdownVelocity, deceleration: roll.deceleration, finalVelocity: roll.finalVelocity, liftFraction: roll.liftFraction,
       ...Object.fromEntries(Object.entries(values).flatMap(([key, value]) => (typeof value === 'number' ? [[`damper.${key}`, value]] : []))),
       ...Object.fromEntries(Object.entries(own ?? {}).map(([key, value]) => [`damper.parameters.${key}`, value])),
     },

@@ -6,24 +6,28 @@
  */
 
 import { fitted, fittingsOf } from '../../object/fittings.js';
+import { landingNames } from '../../run/landing.js';
 import { rollNames, rollOf } from './settings.js';
 
-/** How the values of a landing are named among a gear's that lands. */
-const place = 'landing.';
+/**
+ * A scene, or the state of the page, where the values of a gear that lands are with the others.
+ * @typedef {Pick<Scene, 'object' | 'parameters'> & { landing?: Scene['landing'] }} OnStage
+ */
 
-/** @param {import('./settings.js').RollName} name */
-export const placeOf = (name) => place + name;
+/** The values of the gear as they were set. @param {OnStage} stage */
+const valuesOf = ({ parameters, landing }) => landing ?? parameters;
 
-/** Whether the gear on the stage lands. @param {Pick<Scene, 'parameters'>} scene */
-export const isLive = ({ parameters }) => placeOf(rollNames[0]) in parameters;
+/** Whether the gear on the stage lands. @param {OnStage} stage */
+export const isLive = (stage) => landingNames[0] in valuesOf(stage);
 
-/** The gear without its landing. @param {Pick<Scene, 'object' | 'parameters'>} scene @returns {import('./ask.js').Gear} */
-export function gearOf({ object, parameters }) {
-  return { model: fitted(object, { roll: 'none' }), parameters: Object.fromEntries(Object.entries(parameters).filter(([name]) => !name.startsWith(place))) };
+/** The gear without its landing. @param {OnStage} stage @returns {import('./ask.js').Gear} */
+export function gearOf(stage) {
+  const isGears = (/** @type {string} */ name) => !(/** @type {readonly string[]} */ (landingNames).includes(name));
+  return { model: fitted(stage.object, { roll: 'none' }), parameters: Object.fromEntries(Object.entries(valuesOf(stage)).filter(([name]) => isGears(name))) };
 }
 
 /** A gear that lands, as an object of the page. @param {string} gear @param {string} damper `none` where there is none */
-export const landingObject = (gear, damper) => fitted(gear, { damper });
+export const landingObject = (gear, damper) => fitted(gear, { damper, roll: 'landing' });
 
 /** The damper of the thesis, for a gear that has none. */
 const usualDamper = 'current-dependent-bouc-wen';
@@ -34,9 +38,10 @@ export function gearWith({ model, parameters }, { dampingConstant, current }) {
   return { model: damper === 'none' ? fitted(model, { damper: usualDamper }) : model, parameters: { ...parameters, dampingConstant, 'damper.command': current } };
 }
 
-/** The landing that is looked at. @param {Pick<Scene, 'parameters'> | null} scene @param {Readonly<Record<string, string>>} settings @returns {RollValues} */
-export function rollNow(scene, settings) {
+/** The landing that is looked at. @param {OnStage | null} stage @param {Readonly<Record<string, string>>} settings @returns {RollValues} */
+export function rollNow(stage, settings) {
   const set = rollOf(settings.landingRoll ?? '');
-  if (!scene || !isLive(scene)) return set;
-  return /** @type {RollValues} */ (Object.fromEntries(rollNames.map((name) => [name, scene.parameters[placeOf(name)] ?? set[name]])));
+  if (!stage || !isLive(stage)) return set;
+  const values = valuesOf(stage);
+  return /** @type {RollValues} */ (Object.fromEntries(rollNames.map((name) => [name, values[name] ?? set[name]])));
 }

@@ -73,13 +73,26 @@ export class LandingRoll extends Panel {
     return Math.min(time, stop?.time ?? 0);
   }
 
-  /** @param {Scene} scene @param {Theme} theme */
+  /** The speed of a gear that lands is another in each frame, and nothing in words but the place. @param {Scene} scene @param {Theme} theme */
   draw(scene, theme) {
-    super.draw(scene, theme);
+    if (scene.landing && this.scene?.landing === scene.landing && this.theme === theme) {
+      Object.assign(this, { scene });
+      this.#tellPlace();
+    } else super.draw(scene, theme);
     if (!this.isVeiled) this.#work.look(gearOf(scene), this.#roll);
     const { seen, isOld, diagram, isDiagramOld } = this.#work;
     const from = [seen, isOld, diagram, isDiagramOld, this.#time, this.voice, this.quantities, this.isVeiled, theme];
     for (const name of ['runway', 'history', 'under']) this.#redrawWhere(`.roll-${name} shimmy-canvas`, from);
+  }
+
+  /** Where it is now, for those who hear it. */
+  #tellPlace() {
+    const quantity = this.quantity('velocity');
+    if (!this.voice || !quantity) return;
+    for (const grip of this.querySelectorAll('.roll-grip')) {
+      grip.setAttribute('aria-valuenow', this.#time.toFixed(2));
+      grip.setAttribute('aria-valuetext', this.#place(quantity, this.voice));
+    }
   }
 
   /** @param {string} selector @param {readonly unknown[]} from */

@@ -63,6 +63,8 @@ export const controls = {
   'equation.within': 'within',
   'equation.torsionAngle': 'torsion angle',
   'equation.lateralDeformation': 'tire’s deformation',
+  'equation.time': 'time since touchdown',
+  'equation.afterwards': 'afterwards',
   'equation.friction': 'moment of dry friction',
   'equation.slipAngle': 'slip angle',
   'equation.sideForce': 'side force',

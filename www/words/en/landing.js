@@ -7,6 +7,11 @@ export const landing = {
   'landing.view.table': 'Table 7.4',
   'landing.line.table': 'Computed now, with the other values as they are. Press a row to roll it.',
 
+  'parameter.touchdownVelocity': 'Touchdown speed',
+  'parameter.deceleration': 'Braking',
+  'parameter.finalVelocity': 'Final speed',
+  'parameter.liftFraction': 'Lift at touchdown',
+
   'landing.touchdownVelocity': 'Touchdown',
   'landing.touchdownVelocity.does': 'Speed at touchdown',
   'landing.deceleration': 'Braking',

@@ -63,6 +63,8 @@ export const controls = {
   'equation.within': 'içinde',
   'equation.torsionAngle': 'burulma açısı',
   'equation.lateralDeformation': 'lastiğin şekil değişimi',
+  'equation.time': 'teker değdiğinden beri geçen süre',
+  'equation.afterwards': 'sonra',
   'equation.friction': 'kuru sürtünme momenti',
   'equation.slipAngle': 'kayma açısı',
   'equation.sideForce': 'yanal kuvvet',

@@ -17,5 +17,9 @@ export const docs = {
   treadWidthMomentConstant: 'Sırtın genişliğinden gelen sönüm: momenti −(κ/v)ψ̇ (Somieski 1997; onun verilerinde κ = 0,15 a² c_Fα F_z). 0 ve üstündeki her değer geçerlidir.',
   'friction.moment': 'Dönme eksenindeki kuru sürtünme: momenti −M_f sign ψ̇; tekerlek dururken onu yerinde tutmaya yeten kadar, en çok M_f (Somieski 1997, k₀). Doğrusal kuram onu hesaba katmaz. 0 ve üstündeki her değer geçerlidir; 0, sürtünme yok demektir.',
   freeplayAngle: 'Boşluk; yayın etki etmediği aralığın yarısı: ±ψ_fp ötesinde s(ψ) = ψ − ψ_fp sign ψ, içinde 0 (Atabay 2012, böl. 6). 0 ve üstündeki her değer geçerlidir.',
+  touchdownVelocity: 'Teker değdiği andaki hız, t = 0 (80 m/s seçilmiştir). Hızın yerine geçer. finalVelocity üstündeki her değer geçerlidir.',
+  deceleration: 'Koşu boyunca hızın saniyede azaldığı: v(t) = v₀ − bt (3 m/s² seçilmiştir); yük öne kaymaz. 0’dan büyük her değer geçerlidir.',
+  finalVelocity: 'Koşunun bittiği hız; ondan sonra değişmez (5 m/s seçilmiştir). 0’dan büyük, teker değme hızından küçük her değer geçerlidir.',
+  liftFraction: 'Teker değdiği anda kanatların ağırlıktan taşıdığı pay λ: F_z(v) = F_z[1 − λ(v/v₀)²]. 0’dan 1’e dek, 1 dışında her değer geçerlidir.',
   ...damperDocs,
 };

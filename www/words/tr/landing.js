@@ -7,6 +7,11 @@ export const landing = {
   'landing.view.table': 'Tablo 7.4',
   'landing.line.table': 'Şimdi hesaplanır, öbür değerler olduğu gibi kalır. Koşturmak için bir satıra bas.',
 
+  'parameter.touchdownVelocity': 'Teker değme hızı',
+  'parameter.deceleration': 'Frenleme',
+  'parameter.finalVelocity': 'Son hız',
+  'parameter.liftFraction': 'Değme anında taşıma',
+
   'landing.touchdownVelocity': 'Teker değme',
   'landing.touchdownVelocity.does': 'Teker değme hızı',
   'landing.deceleration': 'Frenleme',
