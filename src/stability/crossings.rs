@@ -52,7 +52,7 @@ const NEAR: f64 = 1e-7;
 /// 1666–1682. Colleague matrix: I. J. Good, *Quarterly J. Math.* 12 (1961) 61–68.
 pub(crate) fn crossings(spectrum: Spectrum, from: f64, to: f64) -> Result<Vec<Crossing>> {
     let geometric = from > 0.0 && to > 2.0 * from;
-    let value = |part: f64| if geometric { from * (to / from).powf(part) } else { from + (to - from) * part };
+    let value = |part: f64| if geometric { from * ((to / from).ln() * part).exp() } else { from + (to - from) * part };
     let mut found: Vec<Crossing> = Vec::new();
     for kind in CurveKind::BOTH {
         let mut search = Search { kind, at: &|part| spectrum(value(part)), roots: Vec::new() };
