@@ -117,6 +117,8 @@ pub struct Bifurcation {
     points: Vec<SpecialPoint>,
     tasks: Vec<Task>,
     done: usize,
+    /// The part that is made.
+    made: f64,
     /// Unstable cycles that are predicted at a value, and not looked for yet.
     predicted: Vec<(Guess, f64)>,
     probe: Option<Probe>,
@@ -160,6 +162,7 @@ impl BifurcationSpec {
             points: Vec::new(),
             tasks: vec![Task::Rest],
             done: 0,
+            made: 0.0,
             predicted: Vec::new(),
             probe: None,
             trip: None,
@@ -185,6 +188,13 @@ impl Bifurcation {
     /// # Errors
     /// Values at which the eigenvalues leave the numbers; a gear that has no equilibrium there.
     pub fn advance(&mut self) -> Result<()> {
+        self.go_on()?;
+        // A task may lead to several branches, none of which is known before: what was said to be made stays so.
+        self.made = self.made.max(self.part());
+        Ok(())
+    }
+
+    fn go_on(&mut self) -> Result<()> {
         if let Some(mut trip) = self.trip.take() {
             let before = trip.walk.stops.len();
             let end = trip.walk.advance(&mut *self.family).map(|end| (end, None));
@@ -240,6 +250,10 @@ impl Bifurcation {
 
     /// The part that is made, 0 … 1, as far as that can be said.
     pub fn fraction(&self) -> f64 {
+        self.made
+    }
+
+    fn part(&self) -> f64 {
         if self.done() {
             return 1.0;
         }
@@ -250,7 +264,8 @@ impl Bifurcation {
             let ways = if trip.from == Origin::Cycle { 2.0 } else { 1.0 };
             (before + trip.walk.stops.len()) as f64 / (ways * self.spec.points as f64)
         });
-        let begun = if self.trip.is_some() { self.done.saturating_sub(1) } else { self.done };
+        let under_way = self.trip.is_some() || self.probe.is_some() || !self.predicted.is_empty();
+        let begun = if under_way { self.done.saturating_sub(1) } else { self.done };
         ((begun as f64 + 0.9 * way.min(1.0)) / known).min(0.99)
     }
 
