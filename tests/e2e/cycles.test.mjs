@@ -253,7 +253,7 @@ test('a table opens in one click from its number, is sorted by a press, and leav
 
 test('while it is to be guessed nothing of a cycle is seen or heard, on any view or slider', async () => {
   for (const view of viewNames) {
-    const { page, leave } = await opened(`&view.cycles=${view}&predict=1`);
+    const { page, leave } = await opened(`&view.cycles=${view}&view.folds=velocity:1:120,dampingConstant:0:100&predict=1`);
     await page.locator('.panel-veil').first().waitFor();
     const heard = await page.locator('shimmy-cycles-lens .cycles').evaluate((lens) => [lens.textContent, ...[...lens.querySelectorAll('[aria-label], [title]')].map((one) => `${one.getAttribute('aria-label')} ${one.getAttribute('title')}`)].join(' '));
     assert.doesNotMatch(heard, /\d+\.\d|stable limit cycle|dies out|Hopf|two motions|critical|beyond/i, view);
@@ -311,6 +311,7 @@ test('on a projector letters of tables are as large as elsewhere, and there is o
 test('on a phone a view that is chosen comes in sight with what it shows', async () => {
   const { page, leave } = await opened('&view.cycles=branch', { viewport: { width: 390, height: 844 }, hasTouch: true });
   await page.locator('#lens-panel select.views').selectOption('basins');
+  await page.waitForFunction(() => scrollY > 60);
   const [picture, stage, dock] = await Promise.all(['.basins-plane canvas', 'shimmy-stage', 'shimmy-dock'].map((selector) => page.locator(selector).boundingBox()));
   assert.ok(picture && stage && dock);
   assert.ok(picture.y >= stage.y + stage.height - 1 && picture.y + picture.height <= dock.y + 1, JSON.stringify([picture, stage, dock]));

@@ -73,9 +73,13 @@ export class CyclesLens extends PlotLens {
   /** @param {Map<string, unknown>} changed */
   updated(changed) {
     // Where the page scrolls, a view that has been chosen comes in sight with what it shows.
-    if (changed.get('shows') !== undefined && document.documentElement.scrollHeight > window.innerHeight + 1) this.querySelector('.cycles')?.scrollIntoView({ block: 'start' });
+    if (changed.get('shows') !== undefined) requestAnimationFrame(this.#bringInSight);
     if (changed.size > 0 && this.scene && this.theme) this.draw(this.scene, this.theme);
   }
+
+  #bringInSight = () => {
+    if (document.documentElement.scrollHeight > window.innerHeight + 1) this.querySelector('.cycles')?.scrollIntoView({ block: 'start' });
+  };
 
   /** @param {Scene} scene @param {Theme} theme */
   draw(scene, theme) {
