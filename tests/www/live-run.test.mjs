@@ -3,7 +3,7 @@
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
 import { LiveRun } from '../../www/run/live-run.js';
-import { isClose, opened, wanted } from './opened-session.mjs';
+import { dragged, isClose, opened, wanted } from './opened-session.mjs';
 import { engine } from './stories.mjs';
 
 /** @typedef {ReturnType<typeof opened>['session']} Session */
@@ -20,15 +20,9 @@ function assertTold(session, share = 1e-6) {
   again.free();
 }
 
-/** The damping is dragged from 20 to 60 within 0.4 s, a blow follows 0.2 s later, and 0.2 s more go by. */
-function dragged() {
-  const { store, session } = opened();
-  session.advance(0.2);
-  for (let c = 21; c <= 60; c++) {
-    session.set('dampingConstant', c, 'drag');
-    session.advance(0.01);
-  }
-  session.settle();
+/** A drag, a blow 0.2 s later, and 0.2 s more go by. */
+function draggedAndStruck() {
+  const { store, session } = dragged();
   session.advance(0.2);
   session.kick();
   session.advance(0.2);
@@ -36,7 +30,7 @@ function dragged() {
 }
 
 test('amid a drag that has been made the record holds the part of it up to there', () => {
-  const { session } = dragged();
+  const { session } = draggedAndStruck();
   session.seek(0.4);
   const { changes, time } = session.recipe;
   assert.deepEqual([changes, time], [[{ time: 0.4, set: { dampingConstant: session.scene(wanted).parameters.dampingConstant } }], 0.4]);
@@ -65,7 +59,7 @@ test('amid a hold that has been made the record holds the wheel as it was held t
 });
 
 test('a blow amid a drag that had been made is taken back, and the rest of the drag and what followed come back', () => {
-  const { store, session } = dragged();
+  const { store, session } = draggedAndStruck();
   session.seek(0.4);
   const before = stateOf(session);
   const { dampingConstant } = store.state.parameters;

@@ -18,6 +18,18 @@ export function opened() {
   return { store, session: new Session(engine, store) };
 }
 
+/** A session whose damping a hand has dragged from 20 to 60 within 0.4 s, from 0.2 s on. */
+export function dragged() {
+  const { store, session } = opened();
+  session.advance(0.2);
+  for (let c = 21; c <= 60; c++) {
+    session.set('dampingConstant', c, 'drag');
+    session.advance(0.01);
+  }
+  session.settle();
+  return { store, session };
+}
+
 /** @type {Parameters<Session['scene']>[0]} */
 export const wanted = { moment: [-0.08, 0.02], trackLength: 1.2, stretches: 200, exposure: 0 };
 

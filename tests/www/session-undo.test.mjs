@@ -2,7 +2,7 @@
 
 import { test } from 'node:test';
 import assert from 'node:assert/strict';
-import { isClose, opened, wanted } from './opened-session.mjs';
+import { dragged, isClose, opened, wanted } from './opened-session.mjs';
 
 test('a value set acts at once, and undo takes it back in the running gear', () => {
   const { store, session } = opened();
@@ -115,13 +115,7 @@ test('of two blows at one instant undo takes the last, and redo gives it back', 
 });
 
 test('a drag undone leaves nothing on record, and comes back whole', () => {
-  const { store, session } = opened();
-  session.advance(0.2);
-  for (let c = 21; c <= 60; c++) {
-    session.set('dampingConstant', c, 'drag');
-    session.advance(0.01);
-  }
-  session.settle();
+  const { store, session } = dragged();
   assert.equal(session.recipe.changes.length, 1);
   store.undo();
   assert.ok(Math.abs(session.time - 0.2) < 1e-12);

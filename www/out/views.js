@@ -66,7 +66,10 @@ const cyclePanels = {
 };
 
 /** @param {Looked['views']} views @returns {Shown[]} */
-function cyclesViews({ cycles }) {
+function cyclesViews({ cycles, cycleOrbit }) {
+  const [orbit, circle] = cyclePanels.cycle;
+  // The circle and the orbit change places where that is chosen.
+  if ((cycles ?? 'cycle') === 'cycle' && cycleOrbit === 'multipliers') return [{ ...circle, element: orbit.element }, { ...orbit, element: circle.element }];
   return Object.hasOwn(cyclePanels, cycles ?? '') ? cyclePanels[cycles] : cyclePanels.cycle;
 }
 
