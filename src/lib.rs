@@ -31,6 +31,7 @@
 //! | kink | where a piecewise law changes its piece; a *switch* finds it, a *mode* says which piece holds |
 //! | limit cycle | a motion that repeats and that its neighbours run to (or from) |
 //! | Hopf point | a parameter's value at which a small swing neither grows nor fades: a limit cycle is born there |
+//! | hysteresis z | how far a damper's spring that yields is wound; at rest it may have any value, so there is a line of equilibria |
 //! | fold | where a branch of limit cycles turns back: two meet there and vanish |
 //!
 //! # Map

@@ -38,7 +38,8 @@ pub enum Verdict {
     Rattles,
     /// Grows beyond the range of the model.
     Grows,
-    /// Is at rest, or comes to rest away from the middle, as where dry friction holds the wheel.
+    /// Is at rest, or comes to rest away from the middle, as where dry friction holds the wheel, or a hysteresis that may rest
+    /// anywhere.
     Rests,
 }
 

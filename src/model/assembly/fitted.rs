@@ -46,8 +46,8 @@ enum Phase {
 /// stretch of the equations, z held at saturation at some 10⁵ s⁻¹, is none, and explicit methods of high order serve.
 ///
 /// # Measured
-/// Simple form at 1.1 A, v = 80 m/s, c = 0: with rtol 10⁻⁸ a cycle takes DOP853 some 80 steps, as many as without a damper
-/// and 50 for the four yieldings and reversals. Without the third phase it takes 7,000.
+/// Simple form at 1.1 A, v = 80 m/s, c = 0, on the cycle (52 a second), for a second at rtol 10⁻⁸: 4,205 steps of DOP853. Without
+/// the phase of having yielded it takes 71,757, held at its stability bound, and Rodas5P 9,437 in 3.6 times as long.
 #[derive(Clone, Copy, Debug)]
 pub struct Fitted {
     damper: Damper,

@@ -158,7 +158,6 @@ pub const RUNWAY: [Parameter; 4] = [
         scale: Scale::Log,
         doc: "Length of a wave of the uneven runway. Any value > 0 is valid.",
         validity: Validity::Positive,
-        ..PART
     },
     Parameter {
         name: "disturbance.start",
