@@ -19,7 +19,7 @@ mod scenario;
 mod simulator;
 
 pub use cycles::{bifurcation, describing_function, fold_curve, limit_cycle};
-pub use damper::{damper_response, dampers};
+pub use damper::{Piston, damper_response, dampers};
 pub use ensemble::{basins, poincare, sweep};
 pub use identify::{Identification, damper_record, fitness, identifiability};
 pub use job::Job;

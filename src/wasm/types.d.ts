@@ -658,6 +658,8 @@ export interface Identifiability {
   /** the best beside each record */
   fits: DamperFit[];
 }
+/** Where a piston that is led by hand is, and what its damper does: m, m/s, N. */
+export interface Grip { displacement: number; velocity: number; force: number; hysteresis: number; internalDisplacement: number }
 /** What the links between parameters give. */
 export interface LinkedParameters { relaxationLength: number; treadWidthMomentConstant: number }
 /** Forces at a state, SI. */
