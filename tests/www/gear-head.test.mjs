@@ -76,3 +76,12 @@ test('where there is friction a shoe rubs on the tube, with its torque as an arc
   const fan = Array.from({ length: 16 }, (_, i) => ({ psi: 0.01 * i, y: 0 }));
   assert.equal(arcs(rubbing(200, { fan })).length, 0, 'of many poses there is not one torque');
 });
+
+test('a magnetorheological damper has a coil, filled as far as there is current', () => {
+  const filled = (/** @type {{ 'damper.command'?: number }} */ { ...parameters }) =>
+    record(sceneOf({ psi: 0.05 }, { parameters: /** @type {Record<string, number>} */ (parameters) })).marks.filter(({ kind, color, opacity }) => kind === 'fill' && color === theme.force && opacity > 0).length;
+  const [none, empty, half, full] = [{}, { 'damper.command': 0 }, { 'damper.command': 0.75 }, { 'damper.command': 1.5 }].map(filled);
+  assert.equal(empty, none, 'without current no winding is filled');
+  assert.equal(half - empty, 4);
+  assert.equal(full - empty, 8);
+});

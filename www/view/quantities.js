@@ -25,6 +25,16 @@ export const quantities = {
   restoringMoment: /** @type {Quantity} */ ({ symbol: 'M', sub: 'k', word: 'forces.restoringMoment', unit: 'kN m', perSI: 1e-3, color: 'psi' }),
   frictionMoment: /** @type {Quantity} */ ({ symbol: 'M', sub: 'f', word: 'forces.frictionMoment', unit: 'N m', perSI: 1, color: 'stable' }),
   frequency: /** @type {Quantity} */ ({ symbol: 'f', word: 'spectrum.frequency', unit: 'Hz', perSI: 1, color: 'psi' }),
+  pistonDisplacement: /** @type {Quantity} */ ({ symbol: 'x', word: 'damper.displacement', unit: 'mm', perSI: 1000, color: 'psi' }),
+  pistonVelocity: /** @type {Quantity} */ ({ symbol: 'x', dotted: true, word: 'damper.velocity', unit: 'm/s', perSI: 1, color: 'psi' }),
+  damperForce: /** @type {Quantity} */ ({ symbol: 'F', word: 'damper.force', unit: 'N', perSI: 1, color: 'force' }),
+  damperForceLarge: /** @type {Quantity} */ ({ symbol: 'F', word: 'damper.force', unit: 'kN', perSI: 1e-3, color: 'force' }),
+  generation: /** @type {Quantity} */ ({ symbol: 'n', word: 'identify.generation', unit: '', perSI: 1, color: 'psi' }),
+  fitError: /** @type {Quantity} */ ({ symbol: 'ε', word: 'identify.error', unit: '%', perSI: 100, color: 'psi' }),
+  forceShare: /** @type {Quantity} */ ({ symbol: 'F', word: 'damper.force.share', unit: '%', perSI: 100, color: 'force' }),
+  pistonAmplitude: /** @type {Quantity} */ ({ symbol: 'X', word: 'damper.amplitude', unit: 'mm', perSI: 1000, color: 'psi' }),
+  dissipated: /** @type {Quantity} */ ({ symbol: 'E', word: 'damper.energy', unit: 'J', perSI: 1, color: 'force' }),
+  equivalentDamping: /** @type {Quantity} */ ({ symbol: 'c', sub: 'eq', word: 'damper.equivalent', unit: 'N s/m', perSI: 1, color: 'force' }),
   amplitude: /** @type {Quantity} */ ({ symbol: 'ψ', word: 'spectrum.amplitude', unit: '°', perSI: degrees, color: 'psi' }),
 };
 

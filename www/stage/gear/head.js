@@ -58,7 +58,8 @@ export function drawHead(ctx, sheet, scene, theme) {
     if (poses.length === 1) drawBrakeTorque(ctx, sheet, radius, scene, theme);
   }
   ctx.globalAlpha = opacity * damperStrength(scene);
-  for (const { tube } of poses) drawDamper(ctx, sheet, radius, tube, theme);
+  const current = coilCurrent(scene);
+  for (const { tube } of poses) drawDamper(ctx, sheet, radius, tube, theme, current);
   ctx.globalAlpha = 1;
   drawCross(ctx, sheet, radius, theme);
   ctx.restore();
@@ -68,7 +69,13 @@ export function drawHead(ctx, sheet, scene, theme) {
 const springStrength = ({ parameters }) => ((parameters.torsionalStiffness ?? 1) > 0 ? 1 : 0.3);
 
 /** @param {Scene} scene */
-const damperStrength = ({ parameters }) => ((parameters.dampingConstant ?? 0) > 0 ? 1 : 0.35);
+const damperStrength = (scene) => ((scene.parameters.dampingConstant ?? 0) > 0 || coilCurrent(scene) !== null ? 1 : 0.35);
+
+/** The command that fills a coil [A, V]. */
+const FULL = 1.5;
+
+/** How full the coil is; null for a damper that has none. @param {Scene} scene */
+const coilCurrent = ({ parameters, command = parameters['damper.command'] }) => (command === undefined ? null : command / FULL);
 
 /** Where the leader meets the detail: low on its near side, out of the pointer's way. */
 const LEADER_END = 250 * DEGREE;

@@ -51,7 +51,8 @@
  * - `velocity`: without it no speed is written;
  * - `freeplayAngle`: without it, or at 0, the slot in the steering head is closed;
  * - `torsionalStiffness`, `dampingConstant`: at 0 the spring, the damper is but a shadow;
- * - `friction.moment`: above 0 a shoe rubs on the tube.
+ * - `friction.moment`: above 0 a shoe rubs on the tube;
+ * - `damper.command`: of a magnetorheological damper; without it the damper has no coil.
  *
  * @typedef {Readonly<Record<string, number>>} Parameters
  */
@@ -85,6 +86,7 @@
  * @property {readonly {psi: number, y: number}[] | null} [fan] where the motion is too fast for the
  *   screen: poses equally spaced over the frame's exposure, the last of them now. They are drawn
  *   as one blur, and nothing is drawn that would show a single pose: no ghosts, trail or forces
+ * @property {number} [command] of a magnetorheological damper as it is now, where a control changes it [A]
  * @property {boolean} [held] whether a hand has hold of the wheel
  * @property {boolean} [focused] whether the keyboard would move it
  */

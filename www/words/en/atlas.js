@@ -25,8 +25,10 @@ export const atlas = {
   'look.lateralDeformation': 'y over time',
   'look.phase-2d': 'phase portrait',
   'look.phase-3d': 'orbit in space',
+  'look.damper-loops': 'hysteresis loops',
   'look.freeplay-law': 'restoring moment',
 
+  'search.damper-loops': 'MR, magnetorheological, Bouc–Wen, hysteresis, Spencer, current',
   'search.root-locus': 'root locus, roots, eigenvalues, poles',
   'search.stability-map': 'Routh–Hurwitz, eigenvalues, critical speed, Hopf',
   'search.cases': 'eigenvalues, roots, linear theory',

@@ -25,8 +25,10 @@ export const atlas = {
   'look.lateralDeformation': 'zamana karşı y',
   'look.phase-2d': 'faz portresi',
   'look.phase-3d': 'uzayda yörünge',
+  'look.damper-loops': 'histerezis çevrimleri',
   'look.freeplay-law': 'geri getiren moment',
 
+  'search.damper-loops': 'MR, manyetoreolojik, Bouc–Wen, histerezis, Spencer, akım',
   'search.root-locus': 'kök yer eğrisi, kökler, özdeğerler, kutuplar',
   'search.stability-map': 'Routh–Hurwitz, özdeğerler, kritik hız, Hopf',
   'search.cases': 'özdeğerler, kökler, doğrusal kuram',
