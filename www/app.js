@@ -9,6 +9,7 @@ import { modelsOf } from './engine/models.js';
 import { clockCommands, handsOff } from './commands/clock.js';
 import { controlCommands } from './commands/controls.js';
 import { landingCommands } from './commands/landing.js';
+import { damperCommands } from './commands/damper.js';
 import { experimentCommands } from './commands/experiment.js';
 import { carriedOut, presentCommands } from './commands/present.js';
 import { storyCommands } from './commands/story.js';
@@ -83,8 +84,8 @@ export class App {
 
   /** All commands by name. @type {Readonly<Record<string, Command>>} */
   commands = {
-    ...clockCommands(this), ...controlCommands(this), ...experimentCommands(this), ...landingCommands(this), ...presentCommands(this),
-    ...storyCommands(this), ...viewCommands(this),
+    ...clockCommands(this), ...controlCommands(this), ...damperCommands(this), ...experimentCommands(this), ...landingCommands(this),
+    ...presentCommands(this), ...storyCommands(this), ...viewCommands(this),
   };
 
   constructor() {

@@ -24,7 +24,7 @@ import { readTheme } from './style/theme.js';
 import { Teller } from './story/telling.js';
 
 /** These have the room for themselves. */
-const withoutWhy = ['compare', 'stability', 'cycles', 'landing'];
+const withoutWhy = ['compare', 'stability', 'cycles', 'damper', 'landing'];
 const stillness = matchMedia('(prefers-reduced-motion: reduce)');
 
 /**

@@ -104,8 +104,8 @@ test('a record out of order is put in order; a change too late, a ghost that can
     [['-1,torsional,velocity:3', 'unclear'], ['0,torsional,velocity:-3', 'unclear'], ['0,torsional,velocity:9', 'refused']]);
 });
 
-test('a lens that is not there yet is none, and a text too long for an address is read up to there', () => {
-  assert.deepEqual(readLink('#shimmy=2&lens=damper', models, accepts)?.problems, [{ key: 'lens', value: 'damper', reason: 'unknown' }]);
+test('a lens that there is not is none, and a text too long for an address is read up to there', () => {
+  assert.deepEqual(readLink('#shimmy=2&lens=dampers', models, accepts)?.problems, [{ key: 'lens', value: 'dampers', reason: 'unknown' }]);
   const long = readLink(`#shimmy=2&velocity=30&view.story=${'x'.repeat(60_000)}&dampingConstant=40`, models, accepts);
   assert.deepEqual([long?.state.parameters.velocity, long?.state.parameters.dampingConstant], [30, 10]);
   const setting = readLink(`#shimmy=2&view.besideSort=${'x'.repeat(60)},up`, models, accepts);
@@ -113,10 +113,11 @@ test('a lens that is not there yet is none, and a text too long for an address i
 });
 
 test('what is shown can be shown so, or the link says that it cannot', () => {
-  for (const good of ['phase=orbit', 'phase=orbit,-120,45', 'phase=spectrum-log', 'forces=aligningMoment', 'timeline=torsionRate', 'magnification=20', 'stability=locus', 'plane=velocity:0.5:100,dampingConstant:0:100,frequency', 'damper=anything', 'cycles=cycle', 'cycleOrbit=space,-120,45', 'cycleOrbit=deformation'])
+  for (const good of ['phase=orbit', 'phase=orbit,-120,45', 'phase=spectrum-log', 'forces=aligningMoment', 'timeline=torsionRate', 'magnification=20', 'stability=locus', 'plane=velocity:0.5:100,dampingConstant:0:100,frequency', 'damper=identify', 'damperModel=bouc-wen', 'damperMotion=5,1.5', 'damperCurrents=0,0.5,1', 'damperCurrent=0.5', 'damperMap=freeplayAngle', 'damperPush=0.1', 'damperTable=7.3', 'cycles=cycle', 'cycleOrbit=space,-120,45', 'cycleOrbit=deformation'])
     assert.deepEqual(readLink(`#shimmy=2&view.${good}`, models, accepts)?.problems, [], good);
   for (const [bad, reason] of /** @type {const} */ ([
     ['phase=orbt', 'unclear'], ['phase=orbit,left,up', 'unclear'], ['phase=orbit,900,20', 'unclear'], ['phase=portrait,1,2', 'unclear'],
+    ['damper=anything', 'unclear'], ['damperModel=oil', 'unclear'], ['damperMotion=5', 'unclear'], ['damperMotion=900,1', 'unclear'], ['damperCurrents=1,,2', 'unclear'], ['damperCurrent=1,2', 'unclear'], ['damperMap=mood', 'unclear'], ['damperPush=7', 'unclear'], ['damperTable=7.9', 'unclear'],
     ['forces=drag', 'unclear'], ['compare=all', 'unclear'], ['stability=v,c', 'unclear'], ['plane=velocity:0:1', 'unclear'], ['timeline=mood', 'unclear'], ['magnification=3', 'unclear'], ['magnification=1e1', 'unclear'],
     ['magnification=-5', 'unclear'], ['color=red', 'unknown'], ['toString=1', 'unknown'],
   ])) {

@@ -32,6 +32,11 @@ export function loadEngine() {
   return loading;
 }
 
+/** The engine where it is there already, as it is for whoever has drawn something of it. @returns {Engine} */
+export function engineIfLoaded() {
+  return engine;
+}
+
 /** The module itself, compiled once for this page and all its workers. */
 export function compiledEngine() {
   compiling ??= compile(address);

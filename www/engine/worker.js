@@ -5,12 +5,31 @@
  * @typedef {{ module: WebAssembly.Module } | import('./slices.js').Asked | { cancel: number }} Message
  */
 
-import { initSync, Job } from '../pkg/shimmy.js';
+import { fitness, identifiability, initSync, Job } from '../pkg/shimmy.js';
 import { plain } from './fitted.js';
 import { Slices, transferable } from './slices.js';
 
+/** What is done at a stroke, as a job. @type {Readonly<Record<string, (spec: any) => unknown>>} */
+const strokes = {
+  fitness: ({ spec, population }) => fitness(spec, population),
+  identifiability: ({ spec, population }) => identifiability(spec, population),
+};
+
+/** @param {() => unknown} work */
+function atOnce(work) {
+  /** @type {unknown} */ let result;
+  return {
+    advance: () => {
+      result = work();
+      return { done: true, fraction: 1 };
+    },
+    result: () => result,
+    free: () => {},
+  };
+}
+
 const slices = new Slices(
-  (kind, spec) => new Job(/** @type {any} */ (kind), /** @type {any} */ (plain(spec))),
+  (kind, spec) => (Object.hasOwn(strokes, kind) ? atOnce(() => strokes[kind](spec)) : new Job(/** @type {any} */ (kind), /** @type {any} */ (plain(spec)))),
   (told) => postMessage(told, { transfer: transferable(told) }),
 );
 

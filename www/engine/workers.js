@@ -23,6 +23,9 @@ function poolFor(kind) {
   return (shared.others ??= workers(most));
 }
 
+/** The workers that look for a damper's values. */
+export const pool = () => poolFor('identification');
+
 /** As many workers as asked for, at least one; started when there is work. @param {number} most @param {() => Promise<WebAssembly.Module>} compiled */
 export const workers = (most, compiled = compiledEngine) =>
   new Pool(async () => {

@@ -7,7 +7,7 @@ import './phase.js';
  * Lenses that come when one first looks: the page is there the sooner.
  * @type {Readonly<Record<string, () => Promise<unknown>>>}
  */
-const later = { stability: () => import('./stability.js'), cycles: () => import('./cycles.js'), landing: () => import('./landing.js') };
+const later = { stability: () => import('./stability.js'), cycles: () => import('./cycles.js'), damper: () => import('./damper.js'), landing: () => import('./landing.js') };
 
 /** Those that are on their way, and those that did not arrive. @type {Map<string, 'loading' | 'failed'>} */
 const ways = new Map();

@@ -15,7 +15,7 @@ export const lenses = [
   { name: 'forces', ready: true },
   { name: 'stability', ready: true },
   { name: 'cycles', ready: true },
-  { name: 'damper', ready: false },
+  { name: 'damper', ready: true },
   { name: 'landing', ready: true },
   { name: 'compare', ready: true },
 ];

@@ -1,4 +1,5 @@
 import { viewNames as cycleViews } from './cycles/settings.js';
+import { viewNames as damperViews } from './damper/settings.js';
 import { viewNames as landingViews } from './landing/settings.js';
 import { viewNames } from './stability/settings.js';
 
@@ -13,6 +14,7 @@ export const viewsOfLens = {
   forces: ['all', 'sideForce', 'aligningMoment', 'restoringMoment', 'frictionMoment'],
   stability: viewNames,
   cycles: cycleViews,
+  damper: damperViews,
   landing: landingViews,
   compare: [],
 };

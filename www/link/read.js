@@ -17,6 +17,8 @@
 import { isVelocityUnit } from '../controls/unit.js';
 import { gapBelowOf, gapParameter, isOrbit, methodsBelowOf, readBranch, readFolds } from '../lens/cycles/settings.js';
 import { tableNumbers } from '../lens/cycles/thesis-tables.js';
+import { isCalmAcross, isCurrents, isDamper, isMotion, isPush } from '../lens/damper/settings.js';
+import { isDamperTable } from '../lens/damper/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readBeside } from '../lens/stability/beside-settings.js';
 import { isHistories, isMode, isSorting, readLocus, readPlane } from '../lens/stability/settings.js';
@@ -223,6 +225,14 @@ const viewed = {
   landingRoll: (value) => readRoll(value) !== null,
   landingSort: isSorting,
   methodsSort: isSorting,
+  damperModel: isDamper,
+  damperMap: isCalmAcross,
+  damperPush: isPush,
+  damperTable: isDamperTable,
+  damperTableSort: isSorting,
+  damperMotion: isMotion,
+  damperCurrents: isCurrents,
+  damperCurrent: (value) => !value.includes(',') && isCurrents(value),
 };
 
 /**

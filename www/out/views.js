@@ -12,7 +12,7 @@ export function viewsOf({ lens, views }) {
   return [
     { name: 'gear', element: '.gear shimmy-canvas', title: (voice) => voice.say('stage.name') },
     { name: 'time', element: 'shimmy-timeline shimmy-canvas', title: (voice) => voice.say('timeline.name') },
-    ...(lens === 'stability' ? stabilityViews(views) : lens === 'cycles' ? cyclesViews(views) : lens === 'landing' ? landingViews(views) : [{ name: lens, element: '#lens-panel shimmy-canvas', title: titled(`lens.${lens}`) }]),
+    ...(lens === 'stability' ? stabilityViews(views) : lens === 'cycles' ? cyclesViews(views) : lens === 'damper' ? damperViews(views) : lens === 'landing' ? landingViews(views) : [{ name: lens, element: '#lens-panel shimmy-canvas', title: titled(`lens.${lens}`) }]),
   ];
 }
 
@@ -81,6 +81,28 @@ function landingViews({ landing = 'roll' }) {
     { name: 'roll', element: '#lens-panel .roll-history shimmy-canvas', title: titled('landing.history') },
     { name: 'branches', element: '#lens-panel .roll-under shimmy-canvas', title: titled('landing.under') },
   ];
+}
+
+/** The views of the lens *Damper*; the first is the usual one, tables take themselves along. @type {Readonly<Record<string, Shown[]>>} */
+const damperPanels = {
+  loops: [
+    { name: 'loops', element: '#lens-panel .damper-plots', title: titled('damper.view.loops') },
+    { name: 'damper-model', element: '#lens-panel .damper-schematic', title: titled('damper.model') },
+  ],
+  models: [{ name: 'models', element: '#lens-panel .damper-plots', title: titled('damper.view.models') }],
+  energy: [{ name: 'energy', element: '#lens-panel .damper-plots', title: titled('damper.view.energy'), note: '#lens-panel .damper-reading' }],
+  identify: [
+    { name: 'fit', element: '#lens-panel .identify-loops', title: titled('identify.fit') },
+    { name: 'errors', element: '#lens-panel .identify-errors', title: titled('identify.error') },
+    { name: 'population', element: '#lens-panel .identify-population', title: titled('identify.population') },
+  ],
+  calm: [{ name: 'calm', element: '#lens-panel .calm-map shimmy-canvas', title: titled('damper.view.calm'), note: '#lens-panel .calm-answer span' }],
+  tables: [],
+};
+
+/** @param {Looked['views']} views @returns {Shown[]} */
+function damperViews({ damper }) {
+  return Object.hasOwn(damperPanels, damper ?? '') ? damperPanels[damper] : damperPanels.loops;
 }
 
 /** @param {string} key @returns {Shown['title']} */

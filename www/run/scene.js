@@ -15,6 +15,7 @@
 
 import { roundStep } from '../view/scale.js';
 import { cycleLooks } from './cycle-looks.js';
+import { damperLooks } from './damper-looks.js';
 import { spanFor } from './fit.js';
 import { lands } from './landing.js';
 import { linearLooks } from './linear-looks.js';
@@ -150,6 +151,8 @@ function looksFurther(engine, live, beat) {
     linear: linearLooks(engine, model, () => live.recipe.initial),
     /** What is known of its motions that repeat. */
     cycles: cycleLooks(engine, model, () => live.stateByName),
+    /** What is known of dampers by themselves. */
+    dampers: damperLooks(engine),
     /** What goes in and out in a cycle of the motion that a run or a ghost goes to; null where it goes to none. @param {string} of @param {Readonly<Record<string, number>>} values @param {Outlook} goal */
     energySettled: (of, values, { orbit, frequency }) => {
       if (!frequency || orbit.time.length === 0) return null;
