@@ -40,6 +40,13 @@ const theory = figures.filter(({ entry }) => entry && isTheory(entry.id));
 /** Of cycles: tables 5.8 … 6.5. */
 const tabled = figures.filter(({ entry }) => entry && tableNumbers.some((number) => entry.id === `Table ${number}`));
 
+/** Dampers: figures 7.6 … 7.26, tables 7.2 and 7.3. @param {string} id */
+const isDamped = (id) => {
+  const [, kind, number] = id.match(/^(Figure|Table) 7\.(\d+)$/) ?? [];
+  return kind === 'Table' ? [2, 3].includes(Number(number)) : Number(number) >= 6 && Number(number) <= 26;
+};
+const damped = figures.filter(({ entry }) => entry && isDamped(entry.id));
+
 /** Landings: figures 7.27 … 7.42 and table 7.4. */
 const landings = figures.filter(({ entry }) => entry && (entry.view === 'landing-roll' || entry.id === 'Table 7.4'));
 
@@ -56,8 +63,30 @@ test('each of them can be opened where its lens is there; nothing that needs mor
   for (const { name, entry, isReady } of ours) assert.equal(isReady, isCycle(entry?.id ?? '') ? has('cycles') : true, name);
   for (const { name, isReady } of theory) assert.equal(isReady, name === 'table-5.1' || has('stability'), name);
   for (const { name, isReady } of tabled) assert.equal(isReady, has('cycles'), name);
+  for (const { name, isReady } of damped) assert.ok(isReady, name);
   for (const { name, isReady } of landings) assert.equal(isReady, has('landing'), name);
-  for (const { entry, isReady, name } of figures) if (![...ours, ...theory, ...tabled, ...landings].some((one) => one.name === name)) assert.ok(!isReady, `${name} ${entry?.view}`);
+  for (const { entry, isReady, name } of figures) if (![...ours, ...theory, ...tabled, ...damped, ...landings].some((one) => one.name === name)) assert.ok(!isReady, `${name} ${entry?.view}`);
+});
+
+test('each figure of a damper opens with that damper, its current and its gap, and its link opens the same', () => {
+  assert.equal(damped.length, 23);
+  const app = openedApp();
+  for (const { name, entry } of damped) {
+    app.run('open', name);
+    const { state } = app;
+    if (entry?.view === 'damper-loops') assert.deepEqual([state.lens, state.views.damper, state.views.damperModel], ['damper', 'loops', entry.damper], name);
+    else if (entry?.view === 'table') assert.deepEqual([state.lens, state.views.damperTable], ['damper', entry.id.slice(6)], name);
+    else {
+      const [, velocity, current] = entry?.title.match(/v = (\d+) m\/s, ([\d.]+) A/)?.map(Number) ?? [];
+      const gap = Number(entry?.title.match(/freeplay ([\d.]+) deg/)?.[1] ?? 0);
+      assert.equal(state.object, 'torsional.current-dependent-bouc-wen', name);
+      assert.deepEqual([state.parameters.velocity, state.parameters['damper.command'], state.parameters['damper.leverArm'], state.run.initial.torsionAngle], [velocity, current, 0.1, 0.01], name);
+      assert.ok(Math.abs(state.parameters.freeplayAngle - (gap * Math.PI) / 180) < 1e-12, name);
+    }
+    assert.equal(app.session?.failure, null, name);
+    const again = openedApp(app.link);
+    assert.deepEqual([again.state.object, again.state.parameters, again.state.views, again.state.lens], [state.object, state.parameters, state.views, state.lens], name);
+  }
 });
 
 test('each landing opens on its damping and current under the lens Landing, and its link opens the same', () => {

@@ -8,13 +8,15 @@
  */
 
 import { tableNumbers, thesisTables } from '../lens/cycles/thesis-tables.js';
+import { damperTableNumbers, damperTables } from '../lens/damper/thesis-tables.js';
 import { lenses } from '../lens/lenses.js';
 import { readyBesides } from '../lens/stability/beside-settings.js';
 import { thesisLocus, writePlane } from '../lens/stability/settings.js';
+import { fitted, fittingsOf } from '../object/fittings.js';
 import { isReady } from '../object/objects.js';
 import { landingOf } from './landings.js';
 
-/** What of a run the page can set; a run with more (a damper, a landing) is not its yet. */
+/** What of a run the page can set; a run with more (a landing) is not its yet. */
 const known = ['model', 'parameters', 'initial', 'duration'];
 
 /**
@@ -35,6 +37,7 @@ const looks = {
   'freeplay-law': () => ({ lens: 'cycles', views: { cycles: 'freeplay', gapBelow: 'law' } }),
   'root-locus': () => ({ lens: 'stability', views: { stability: 'locus', locus: thesisLocus } }),
   'stability-map': ({ map }) => ({ lens: 'stability', views: { stability: 'plane', plane: writePlane({ x: map?.x, y: map?.y, coloring: 'stable' }) } }),
+  'damper-loops': ({ damper }) => ({ lens: 'damper', views: { damper: 'loops', damperModel: String(damper) } }),
   table: ({ id }) => tables[id.split(' ')[1]],
 };
 
@@ -60,6 +63,7 @@ const tables = {
   ...Object.fromEntries(readyBesides.filter(({ table }) => table).map(({ table, text }) => [table, { lens: 'stability', views: { stability: 'beside', beside: text } }])),
   5.7: { lens: 'stability', views: { stability: 'histories' } },
   ...Object.fromEntries(tableNumbers.map((number) => [number, { lens: 'cycles', views: { cycles: 'tables', cycleTable: number } }])),
+  ...Object.fromEntries(damperTableNumbers.map((number) => [number, { lens: 'damper', views: { damper: 'tables', damperTable: number } }])),
 };
 
 /** The law of the freeplay has no run: a gear that rattles shows it. @type {NonNullable<AtlasEntry['run']>} */
@@ -69,7 +73,7 @@ const rattling = {
 
 /**
  * What has no run of its own has one that shows it: a law a gear that rattles; a table of cycles the first of its gears that
- * swings; a plane or another table the gear of the thesis, touched.
+ * swings, one of dampers the first of its gears; a plane, another table or a damper by itself the gear of the thesis, touched.
  * @param {AtlasEntry} entry
  * @returns {AtlasEntry['run']}
  */
@@ -77,7 +81,21 @@ function runOf({ id, view, run, map }) {
   if (view === 'freeplay-law') return rattling;
   const table = thesisTables[id.split(' ')[1]];
   if (view === 'table' && table) return firstOf(table);
-  return map || view === 'table' ? { model: 'torsional', parameters: map?.parameters, initial: { torsionAngle: 0.01 } } : run;
+  const damped = damperTables[id.split(' ')[1]];
+  if (view === 'table' && damped) return withDamper({ model: 'torsional', parameters: { ...damped.fixed, ...damped.rows[0] }, initial: { torsionAngle: damped.start }, damper: { model: thesisDamper } });
+  return map || view === 'table' || view === 'damper-loops' ? { model: 'torsional', parameters: map?.parameters, initial: { torsionAngle: 0.01 } } : run && withDamper(run);
+}
+
+/** The damper that the thesis puts on the gear. */
+const thesisDamper = 'current-dependent-bouc-wen';
+
+/** A gear with a damper is one object of the page, and the damper's values are among its own. @param {NonNullable<AtlasEntry['run']>} run */
+function withDamper({ damper, ...run }) {
+  if (!damper) return run;
+  const { model, leverArm, command, parameters = {} } = damper;
+  const own = Object.entries(/** @type {Record<string, number>} */ (parameters ?? {})).map(([name, value]) => [`damper.parameters.${name}`, value]);
+  const values = { ...run.parameters, ...(leverArm && { 'damper.leverArm': leverArm }), ...(command !== undefined && command !== null && { 'damper.command': command }), ...Object.fromEntries(own) };
+  return { ...run, model: fitted(run.model, { damper: model }), parameters: values };
 }
 
 /** Without a gap the gears of chapter 6 are calm. @param {import('../lens/cycles/thesis-tables.js').ThesisTable} table @returns {NonNullable<AtlasEntry['run']>} */
@@ -104,7 +122,7 @@ function figureOf(entry) {
   if (landing) return { name, kind: 'figure', entry, isReady: lenses.some((lens) => lens.name === landing.lens && lens.ready), steps: [{ state: landing }] };
   const run = runOf(entry);
   const look = Object.hasOwn(looks, entry.view) ? looks[entry.view](entry) : undefined;
-  if (!run || !look || !isReady(run.model) || Object.keys(run).some((key) => !known.includes(key)))
+  if (!run || !look || !isReady(fittingsOf(run.model).gear) || Object.keys(run).some((key) => !known.includes(key)))
     return { name, kind: 'figure', entry, isReady: false, steps: [] };
   const { model, parameters, initial, duration } = run;
   return {
