@@ -100,7 +100,7 @@ export const damper = {
   'identify.loops.name': 'Measured points, and over them the force of the best values so far.',
   'identify.errors.name': 'Best and mean error by generation. Now: {error}.',
   'identify.population.name': 'The population, an axis a parameter, a line an individual; the best is strong. What the data do not fix is dashed.',
-  'identify.result': 'Found, {error} off',
+  'identify.result': 'Found, {error} % off',
   'identify.result.of': '{model}; seeds {seeds}, the best is {best}. The error is rms(F − F̂)/rms(F) of all records together.',
   'identify.result.table': 'Values that were found',
   'identify.onGear': 'Put it on the gear',

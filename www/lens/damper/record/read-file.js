@@ -8,7 +8,7 @@ import { TableReader } from './table.js';
 export const largestFile = 100e6;
 /** What is read from the disk at once, and what of that is taken apart at once, in bytes. */
 const piece = 4_194_304;
-const morsel = 131_072;
+const morsel = 65_536;
 /** So long the page is kept waiting, in ms. */
 const slice = 8;
 
