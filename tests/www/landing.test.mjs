@@ -128,6 +128,19 @@ test('who comes from above the upper boundary starts late, for the swing has to 
   assert.ok(reasons[0].values.late > 1);
 });
 
+test('with a damper that sticks rest is stable throughout, and the shimmy beside it is told of', () => {
+  const model = 'torsional.current-dependent-bouc-wen';
+  const gear = { dampingConstant: 20, 'damper.command': 0 };
+  const diagram = engine.bifurcation({ model, parameters: gear, parameter: 'velocity', from: 2, to: 100, step: 0.05, tolerance: 1e-4, probes: 3 });
+  const threshold = thresholdOf({});
+  const shimmy = shimmyOf(engine.landingRoll({ model, parameters: gear, initial: { torsionAngle: 0.01 }, touchdownVelocity: 80, rows: 200_000, rtol: 1e-6 }), threshold);
+  const reasons = reasonsOf(shimmy, diagram, threshold);
+  assert.deepEqual(reasons.map(({ key }) => key), ['begins.pushed', 'ends.beside']);
+  const fold = Math.max(...diagram.points.filter(({ kind }) => kind === 'fold').map((point) => point.velocity));
+  near(reasons[1].values.fold, fold, 0.5);
+  assert.ok(reasons[1].values.at < fold);
+});
+
 test('a calm roll says whether anything lies beside it', () => {
   assert.deepEqual(landed({ dampingConstant: 60 }, { from: 80, to: 5, braking: 3 }).reasons.map(({ key }) => key), ['calm.stable']);
   const { reasons, shimmy, threshold } = landed({ dampingConstant: 10, casterLength: -0.05, sideForceLimitAngle: 3 * degree, aligningMomentLimitAngle: 20 * degree }, { from: 42, to: 20, braking: 3 });

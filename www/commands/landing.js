@@ -21,9 +21,9 @@ export function landingCommands(app) {
     landing: (roll) => {
       const { state, session } = app;
       const values = Object.fromEntries(rollNames.map((name) => [name, roll[name]]).filter(([name]) => /** @type {string} */ (name) in state.parameters));
-      if (isLive(state)) session?.setPoint(values, null);
+      if (isLive(state)) session?.setPoint(values, 'landing');
       // It lands anew, turned otherwise.
-      if (isLive(state) && state.run.initial.torsionAngle !== roll.torsionAngle) store.update({ run: { initial: { ...state.run.initial, torsionAngle: roll.torsionAngle } } });
+      if (isLive(state) && state.run.initial.torsionAngle !== roll.torsionAngle) store.update({ run: { initial: { ...state.run.initial, torsionAngle: roll.torsionAngle } } }, 'landing');
       store.update({ views: { ...state.views, landingRoll: writeRoll(roll) } });
       app.settled();
     },

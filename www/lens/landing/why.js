@@ -4,7 +4,7 @@
  *
  * @typedef {import('../../pkg/shimmy.js').Bifurcation} Bifurcation
  * @typedef {import('./roll.js').Shimmy} Shimmy
- * @typedef {{ key: 'calm.stable' | 'calm.beside' | 'calm.short' | 'begins.once' | 'begins.late' | 'begins.pushed' | 'ends.fold' | 'ends.late' | 'ends.with' | 'ends.never', values: Readonly<Record<string, number>> }} Reason
+ * @typedef {{ key: 'calm.stable' | 'calm.beside' | 'calm.short' | 'begins.once' | 'begins.late' | 'begins.pushed' | 'ends.fold' | 'ends.beside' | 'ends.late' | 'ends.with' | 'ends.never', values: Readonly<Record<string, number>> }} Reason
  *   `key`: its sentence; `values`: speeds in m/s by name
  */
 
@@ -40,8 +40,9 @@ function beginning({ touchdown }, begins, rest) {
 function ending({ stop }, ends, rest, cycles) {
   if (!ends) return { key: 'ends.never', values: { at: stop.velocity } };
   const at = ends.velocity;
+  if (cycles && !rest) return { key: 'ends.beside', values: { at, fold: cycles.low } };
   // A cycle that is left where rest is stable already: there the branch turns back.
-  if (cycles && cycles.low < (rest?.low ?? Infinity) - near) return { key: 'ends.fold', values: { at, fold: cycles.low, boundary: rest?.low ?? cycles.high } };
+  if (cycles && cycles.low < (rest?.low ?? Infinity) - near) return { key: 'ends.fold', values: { at, fold: cycles.low, boundary: rest?.low ?? at } };
   const boundary = cycles?.low ?? rest?.low ?? at;
   return boundary - at > near ? { key: 'ends.late', values: { at, boundary, late: boundary - at } } : { key: 'ends.with', values: { at, boundary } };
 }

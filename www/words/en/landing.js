@@ -39,6 +39,7 @@ export const landing = {
   'landing.why.begins.late': 'Rest is unstable below {boundary}, but the swing must grow first: it passes {threshold} {late} later, at {at}. That is delay, not a fold.',
   'landing.why.begins.pushed': 'Rest is stable at touchdown: the start has pushed it beyond {threshold}.',
   'landing.why.ends.fold': 'The branch folds: down to {fold}, below the {boundary} at which rest becomes stable, a shimmy that is there goes on. So it ends late, at {at}.',
+  'landing.why.ends.beside': 'Rest is stable at every speed of this roll. The shimmy lives beside it, down to {fold}, where its branch ends; there it begins to die out, and ends at {at}.',
   'landing.why.ends.late': 'The branch falls below {threshold} at {boundary}, the swing {late} later, at {at}: it dies out more slowly than the speed falls. That is delay, not a fold.',
   'landing.why.ends.with': 'It ends where the branch does: that falls below {threshold} at {boundary}, the swing at {at}.',
   'landing.why.ends.never': 'At {at}, where the roll ends, it still shimmies.',

@@ -39,6 +39,7 @@ export const landing = {
   'landing.why.begins.late': 'Denge {boundary} altında kararsız, ama salınımın önce büyümesi gerek: {threshold} değerini {late} sonra, {at} hızında aşıyor. Bu gecikmedir, kıvrım değil.',
   'landing.why.begins.pushed': 'Teker değdiğinde denge kararlı: salınımı {threshold} ötesine başlangıç itti.',
   'landing.why.ends.fold': 'Dal kıvrılıyor: dengenin kararlı olduğu {boundary} hızının altında, {fold} hızına dek, başlamış bir shimmy sürüyor. Bu yüzden geç, {at} hızında bitiyor.',
+  'landing.why.ends.beside': 'Denge bu koşunun her hızında kararlı. Shimmy onun yanında, dalının bittiği {fold} hızına dek yaşıyor; orada sönmeye başlıyor ve {at} hızında bitiyor.',
   'landing.why.ends.late': 'Dal {boundary} hızında {threshold} altına iniyor, salınım ise {late} sonra, {at} hızında: hızın düştüğünden daha yavaş sönüyor. Bu gecikmedir, kıvrım değil.',
   'landing.why.ends.with': 'Dalın bittiği yerde bitiyor: dal {boundary} hızında {threshold} altına iniyor, salınım {at} hızında.',
   'landing.why.ends.never': 'Koşunun bittiği {at} hızında shimmy hâlâ sürüyor.',
