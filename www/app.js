@@ -293,7 +293,7 @@ export class App {
     const { state } = this;
     if (!lands(state.object)) return state;
     if (this.#touchdown.of !== state.parameters) this.#touchdown = { of: state.parameters, parameters: { ...state.parameters, velocity: state.parameters.touchdownVelocity } };
-    return { ...state, parameters: this.#touchdown.parameters };
+    return { ...state, object: fitted(state.object, { roll: 'none' }), parameters: this.#touchdown.parameters };
   }
 
   #swingsNow() {

@@ -57,6 +57,8 @@ test('on the stage it slows down: the scene has the speed of now, the state what
   assert.equal(session.outlook.verdict, 'dies-out');
   assert.ok(!app.settable.some(({ name }) => name === 'velocity') && app.knobs.includes('touchdownVelocity'));
   assert.equal(app.duration, 25);
+  // theory.md 2: as it touches down at 80 m/s the critical damping is 48.530.
+  near(app.unstable('dampingConstant')?.intervals[0].to ?? NaN, 48.53, 1e-3);
 });
 
 test('what is taken along goes on from its last change as the landing that it is', () => {
