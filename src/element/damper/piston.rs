@@ -71,8 +71,7 @@ impl Piston {
         let yielding = (displacement - from).abs() * damper.hysteresis().stiffness();
         let following = if damper.in_series() { interval * self.quickness() } else { 0.0 };
         let substeps = ((yielding.max(following)) / PART).ceil().max(1.0);
-        // NaN is no number of substeps either.
-        if !(substeps <= MOST_SUBSTEPS) {
+        if substeps.is_nan() || substeps > MOST_SUBSTEPS {
             return Err(Error::new(Code::StepLimit, "displacement", shown(displacement), "a shorter move"));
         }
         let h = interval / substeps;
