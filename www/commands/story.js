@@ -46,6 +46,6 @@ export function storyCommands(app) {
       change(app.models.some(({ name }) => name === object) ? object : gear, app.state.run.initial);
     },
     /** What is fitted to the gear becomes another: the run goes on from where it is. @param {Partial<import('../object/fittings.js').Fittings>} fittings */
-    fit: (fittings) => change(fitted(app.state.object, fittings), app.session?.stateByName ?? {}),
+    fitting: (fittings) => change(fitted(app.state.object, fittings), app.session?.stateByName ?? {}),
   };
 }
