@@ -79,3 +79,17 @@ test('a wheel at rest rests, and swings keep their words', () => {
   assert.equal(dying.manner, 'dies-out');
   assert.match(dying.line, /Hz/);
 });
+
+test('a swing on an unstable cycle is told to be on it, not to settle there', () => {
+  const parameters = { velocity: 42, dampingConstant: 10, casterLength: -0.05, sideForceLimitAngle: (3 * Math.PI) / 180, aligningMomentLimitAngle: (20 * Math.PI) / 180 };
+  const { cycles } = engine.bifurcation({ model: 'torsional', parameters, parameter: 'velocity', from: 42, to: 46 });
+  const branch = cycles.find(({ stable }) => stable.includes(0));
+  const place = branch?.velocity.indexOf(42) ?? -1;
+  assert.ok(branch && place >= 0 && !branch.stable[place]);
+  const initial = Object.fromEntries(Object.entries(branch.state).map(([name, series]) => [name, series[place]]));
+  const { word, line, destination: goal } = told(outlookOf(parameters, initial));
+  assert.equal(word, 'It shimmies');
+  assert.equal(line, '±6.2° · 49.7 Hz · on an unstable cycle · a small push decides');
+  assert.equal(goal, 'On an unstable cycle: ±6.163° (0.10756 rad) · 49.75 Hz');
+  assert.match(told(outlookOf(parameters, initial), 'tr').destination, /^Kararsız çevrimde: ±6,163°/);
+});

@@ -4,6 +4,7 @@ import { limitsFor } from '../run/fit.js';
 import { mannerOf } from '../stage/manner.js';
 import '../view/compare-table.js';
 import { drawPhasePortrait } from '../view/phase-portrait.js';
+import { orbitLabel } from './destination.js';
 import { PlotLens } from './plot-lens.js';
 
 /**
@@ -75,7 +76,7 @@ export class CompareLens extends PlotLens {
   paintScene(context, size, scene, theme, voice) {
     const { outlook, scales, orbitPast, state, parameters } = scene;
     drawPhasePortrait(context, size, {
-      limits: this.isVeiled ? scales.limits : limitsWith(scales.limits, [outlook, ...scene.ghosts.flatMap(({ outlook: goal }) => goal ?? [])]), trail: orbitPast, orbit: outlook.orbit, orbitLabel: voice.say(`phase.heads.${mannerOf(outlook)}`), state,
+      limits: this.isVeiled ? scales.limits : limitsWith(scales.limits, [outlook, ...scene.ghosts.flatMap(({ outlook: goal }) => goal ?? [])]), trail: orbitPast, orbit: outlook.orbit, orbitLabel: orbitLabel(outlook, voice), state,
       exposed: scene.exposed,
       freeplay: parameters.freeplayAngle ?? 0,
       ghosts: this.ghostsOf(scene, voice),

@@ -1,14 +1,13 @@
 import { html } from 'lit';
 import { tell } from '../command.js';
 import { veil } from '../present/veil.js';
-import { mannerOf } from '../stage/manner.js';
 import { drawDeformationPortrait } from '../view/deformation-portrait.js';
 import { firstLook } from '../view/look.js';
 import { drawOrbit } from '../view/orbit.js';
 import { drawPhasePortrait } from '../view/phase-portrait.js';
 import { roundStep } from '../view/scale.js';
 import { drawSpectrum, wordsOfPeak } from '../view/spectrum.js';
-import { destination } from './destination.js';
+import { destination, orbitLabel } from './destination.js';
 import { PlotLens } from './plot-lens.js';
 import { Turning } from './turning.js';
 
@@ -84,7 +83,7 @@ export class PhaseLens extends PlotLens {
       limits: scales.limits,
       trail: orbitPast,
       orbit: outlook.orbit,
-      orbitLabel: voice.say(`phase.heads.${mannerOf(outlook)}`),
+      orbitLabel: orbitLabel(outlook, voice),
       state,
       exposed: scene.exposed,
       freeplay: parameters.freeplayAngle ?? 0,

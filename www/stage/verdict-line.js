@@ -32,7 +32,9 @@ export function numbersOf(outlook, voice) {
   const now = swing(present.amplitude, voice);
   const goal = swing(verdict === 'dies-out' ? 0 : amplitude.torsionAngle, voice);
   const limit = { text: voice.say('verdict.limit') };
-  if (present.stable === false && verdict !== 'grows') return [{ text: now }, ...hertz, { text: voice.say('verdict.unstable') }];
+  if (present.stable === false && verdict !== 'grows') {
+    return [{ text: now }, ...hertz, { text: voice.say('verdict.unstable') }, { text: voice.say('verdict.unstable.hint'), isExtra: true }];
+  }
   if (hasSettled(outlook, voice))
     return [{ text: goal }, ...hertz, amplitude.torsionAngle > trusted ? limit : { text: voice.say('verdict.settled') }];
   const trend = present.trend === 'growing' ? voice.say('verdict.growing', { amplitude: now })

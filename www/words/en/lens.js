@@ -23,6 +23,8 @@ export const lens = {
   'phase.heads.creeps': 'it creeps to rest',
   'phase.heads.stops': 'it spirals to rest',
   'phase.cycle': 'The cycle it settles on: {degrees} ({radians} rad) · {frequency} Hz',
+  'phase.heads.unstable': 'the unstable cycle it is on',
+  'phase.unstable': 'On an unstable cycle: {degrees} ({radians} rad) · {frequency} Hz',
   'phase.rattle': 'The rattle it settles on: {degrees} ({radians} rad) · {frequency} Hz',
   'phase.none': 'No limit cycle from here: this swing dies out.',
   'phase.rest': 'The wheel is at rest.',

@@ -35,7 +35,8 @@ export const stage = {
   'verdict.growing': '{amplitude} and growing',
   'verdict.falling': '{amplitude} and falling',
   'verdict.settled': 'settled',
-  'verdict.unstable': 'on an unstable cycle: a small push decides',
+  'verdict.unstable': 'on an unstable cycle',
+  'verdict.unstable.hint': 'a small push decides',
   'verdict.heads': 'heads for {amplitude}',
   'verdict.limit': 'Beyond 29° this model is not trusted.',
 

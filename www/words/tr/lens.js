@@ -23,6 +23,8 @@ export const lens = {
   'phase.heads.creeps': 'salınmadan durmaya gider',
   'phase.heads.stops': 'sarmalla durmaya gider',
   'phase.cycle': 'Yerleşeceği çevrim: {degrees} ({radians} rad) · {frequency} Hz',
+  'phase.heads.unstable': 'üzerinde olduğu kararsız çevrim',
+  'phase.unstable': 'Kararsız çevrimde: {degrees} ({radians} rad) · {frequency} Hz',
   'phase.rattle': 'Yerleşeceği takırtı: {degrees} ({radians} rad) · {frequency} Hz',
   'phase.none': 'Buradan limit çevrime gidilmez: bu salınım söner.',
   'phase.rest': 'Tekerlek duruyor.',

@@ -35,7 +35,8 @@ export const stage = {
   'verdict.growing': '{amplitude}, büyüyor',
   'verdict.falling': '{amplitude}, azalıyor',
   'verdict.settled': 'yerleşti',
-  'verdict.unstable': 'kararsız çevrimde: sonunu küçük bir itme belirler',
+  'verdict.unstable': 'kararsız çevrimde',
+  'verdict.unstable.hint': 'sonunu küçük bir itme belirler',
   'verdict.heads': 'hedefi {amplitude}',
   'verdict.limit': 'Bu model 29°’nin ötesinde güvenilir değil.',
 
