@@ -85,7 +85,10 @@ export function widthOfLabel(context, runs, theme, weight = 400) {
 /** @param {CanvasRenderingContext2D} context @param {Run} run @param {Theme} theme @param {number} weight */
 function widthOfRun(context, run, theme, weight) {
   context.font = 'text' in run ? textFont(theme, 1, weight) : symbolFont(theme);
-  return context.measureText('text' in run ? run.text : run.symbol).width + ('sub' in run && run.sub ? theme.size * 0.7 : 0);
+  const { width } = context.measureText('text' in run ? run.text : run.symbol);
+  if (!('sub' in run && run.sub)) return width;
+  context.font = symbolFont(theme, 0.7);
+  return width + Math.max(theme.size * 0.7, context.measureText(run.sub).width);
 }
 
 /**

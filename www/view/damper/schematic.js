@@ -40,30 +40,30 @@ export function drawSchematic(context, size, { isSeries, pose, words }, theme) {
   const rows = rowsOf(size, isSeries, theme);
   const tall = Math.min(rows.step * 0.66, 0.17 * width);
   const captioned = rows.step > 3.4 * theme.size;
-  const caption = (/** @type {Run[]} */ runs, /** @type {string} */ word, /** @type {number} */ x, /** @type {number} */ y, color = theme.ink2) => {
+  const caption = (/** @type {Run[]} */ runs, /** @type {string} */ word, /** @type {number} */ left, /** @type {number} */ right, /** @type {number} */ y, color = theme.ink2) => {
     context.fillStyle = color;
     if (!captioned) {
-      drawLabel(context, runs, x, y + theme.size * 0.4, theme, { align: 'center', weight: 600, halo: theme.surface });
+      // Where a part begins there is nothing of it but its rod.
+      drawLabel(context, runs, left + theme.size * 0.5, y - theme.size * 0.4, theme, { align: 'left', weight: 600, halo: theme.surface });
       return;
     }
-    drawLabel(context, [...runs, { text: ` ${word}` }], x, y - tall / 2 - theme.size * 0.5, theme, { align: 'center' });
+    drawLabel(context, [...runs, { text: ` ${word}` }], (left + right) / 2, y - tall / 2 - theme.size * 0.5, theme, { align: 'center' });
   };
 
   drawWall(context, at(wall), rows.top, rows.bottom, theme);
-  const center = (from + to) / 2;
   drawBristles(context, { from, to, y: rows.element, tall, share: pose.z, command: pose.command }, theme);
-  caption([{ symbol: 'αz' }], words.element, center, rows.element);
+  caption([{ symbol: 'αz' }], words.element, from, to, rows.element);
   drawDashpot(context, { from, to, y: rows.dashpot, tall: 0.62 * tall, piston: at((isSeries ? (middle + end) / 2 : 0.5) + 0.5 * stroke * (pose.x + (isSeries ? pose.w : 0)) * 0.9) }, theme);
-  caption([{ symbol: 'c', sub: '0' }], words.dashpot, center, rows.dashpot, theme.stable);
+  caption([{ symbol: 'c', sub: '0' }], words.dashpot, from, to, rows.dashpot, theme.stable);
   drawSpring(context, { from, to, y: rows.spring, tall: 0.5 * tall }, theme);
-  caption([{ symbol: 'k', sub: '0' }], words.spring, center, rows.spring, theme.psi);
+  caption([{ symbol: 'k', sub: '0' }], words.spring, from, to, rows.spring, theme.psi);
   drawBar(context, to, rows.top, isSeries ? rows.outer : rows.bottom, theme);
   if (isSeries) {
     drawBar(context, from, rows.element - tall / 2, rows.spring, theme);
     drawDashpot(context, { from: at(wall), to: from, y: rows.dashpot, tall: 0.62 * tall, piston: at((wall + middle) / 2 + 0.5 * stroke * pose.w * 0.9) }, theme);
-    caption([{ symbol: 'c', sub: '1' }], words.seriesDashpot, (at(wall) + from) / 2, rows.dashpot, theme.stable);
+    caption([{ symbol: 'c', sub: '1' }], words.seriesDashpot, at(wall), from, rows.dashpot, theme.stable);
     drawSpring(context, { from: at(wall), to, y: rows.outer, tall: 0.5 * tall }, theme);
-    caption([{ symbol: 'k', sub: '1' }], words.outerSpring, (at(wall) + to) / 2, rows.outer, theme.psi);
+    caption([{ symbol: 'k', sub: '1' }], words.outerSpring, at(wall), to, rows.outer, theme.psi);
     drawPlace(context, { at: from, rest: at(middle), y: rows.top, symbol: 'w' }, theme);
   }
   drawPlace(context, { at: to, rest: at(end), y: rows.top, symbol: 'x' }, theme);
