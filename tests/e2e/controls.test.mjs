@@ -326,7 +326,7 @@ test('the linear gear has its own values, groups and equations', async () => {
   await untilVerdict(page, 'It dies out');
   await openDrawer(page);
   assert.equal(await page.locator('shimmy-drawer shimmy-knob').count(), 12);
-  assert.deepEqual(await page.locator('shimmy-drawer h3').allInnerTexts(), ['Motion and load', 'Gear', 'Tire']);
+  assert.deepEqual(await page.locator('shimmy-drawer h3').allInnerTexts(), ['Motion and load', 'Gear', 'Tire', 'MR damper']);
   assert.deepEqual((await scent(page, 'dampingConstant', 'drawer')).numbers, ['48.6']);
   await placed(page, 'casterLength', 'drawer').locator('.name').click();
   assert.equal(await page.locator('shimmy-explanation .equations li').count(), 3);
