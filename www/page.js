@@ -108,7 +108,7 @@ export class Page extends LitElement {
           ${predict && app.notes.length === 0 ? html`<shimmy-prediction .voice=${voice} .predict=${predict}
             .question=${telling?.isQuestion ? telling.sentence : ''}></shimmy-prediction>` : html`
             <shimmy-strip ?data-waits=${this.#isActing} .voice=${voice} .notes=${app.notes} .telling=${telling}
-              .canComeBack=${app.left !== null} .isVeiled=${isVeiled}></shimmy-strip>`}
+              .canComeBack=${app.left !== null} .isVeiled=${isVeiled} .isCommanded=${'damper.command' in parameters}></shimmy-strip>`}
           ${this.#isActing ? html`<p class="opening-line" role="status">${app.act?.moment === 'wheel' ? '' : voice.say('act.sentence')}</p>` : ''}
           <shimmy-lens-tabs .voice=${voice} .lens=${lens}></shimmy-lens-tabs>
           ${lensElement(lens, { voice, shows: views[lens] ?? '', views, isVeiled, quantities }, this.#lensArrived)}

@@ -22,6 +22,7 @@ export class Strip extends LitElement {
     telling: { attribute: false },
     canComeBack: { attribute: false },
     isVeiled: { attribute: false },
+    isCommanded: { attribute: false },
   };
 
   constructor() {
@@ -34,6 +35,7 @@ export class Strip extends LitElement {
     this.canComeBack = false;
     /** Whether what would tell the future is hidden. */
     this.isVeiled = false;
+    /** Whether there is a damper on the gear that a current stiffens. */ this.isCommanded = false;
   }
 
   createRenderRoot() {
@@ -51,7 +53,8 @@ export class Strip extends LitElement {
   get #advice() {
     const manner = this.outlook ? mannerOf(this.outlook) : 'shimmies';
     if (this.outlook?.held) return 'held';
-    return manner === 'creeps' || manner === 'stops' ? 'rests' : manner;
+    const advice = manner === 'creeps' || manner === 'stops' ? 'rests' : manner;
+    return this.isCommanded && (advice === 'shimmies' || advice === 'rests') ? /** @type {const} */ (`${advice}.commanded`) : advice;
   }
 
   /** @param {Voice} voice */

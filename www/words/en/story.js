@@ -7,6 +7,8 @@ export const story = {
   'story.grows': 'It swings wider than this model is trusted for. Drag the damping up.',
   'story.rests': 'Nothing keeps it swinging. Kick the wheel and see what becomes of the swing.',
   'story.held': 'Friction holds the wheel, whatever linear theory says of it. Kick it harder: a wide swing may stay.',
+  'story.shimmies.commanded': 'A current stiffens the damper. Drag it up until the wheel calms: from a wider swing it takes more.',
+  'story.rests.commanded': 'The damper holds the wheel. Kick it harder: a wide swing may stay where a small one dies out.',
   'story.veiled': 'Change a value, and guess what becomes of the swing.',
   'story.place': '{title} · {at} of {steps}',
   'story.next': 'Next',

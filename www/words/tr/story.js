@@ -7,6 +7,8 @@ export const story = {
   'story.grows': 'Bu modelin güvenilir olduğundan geniş salınıyor. Sönümü artır.',
   'story.rests': 'Onu salınımda tutan bir şey yok. Tekerleğe vur ve salınımın ne olacağına bak.',
   'story.held': 'Doğrusal kuram ne derse desin, sürtünme tekerleği tutuyor. Daha sert vur: geniş bir salınım kalabilir.',
+  'story.shimmies.commanded': 'Akım sönümleyiciyi sertleştirir. Tekerlek durulana dek artırın: geniş salınım daha çoğunu ister.',
+  'story.rests.commanded': 'Sönümleyici tekerleği tutuyor. Daha sert vurun: küçük salınım sönerken genişi kalabilir.',
   'story.veiled': 'Bir değeri değiştir ve salınımın ne olacağını tahmin et.',
   'story.place': '{title} · {at} / {steps}',
   'story.next': 'İleri',
