@@ -88,6 +88,23 @@ test('a pause holds it, going on ends as without, and stopping keeps what there 
   assert.equal(stopped.result?.error, stopped.best.at(-1));
 });
 
+test('a generation that is under way as one pauses is counted once one goes on', async () => {
+  const spec = { ...bench(0.05).specOf(3), generations: 8, polish: false };
+  const straight = new Fit(spec, means, () => {});
+  await straight.ended;
+  let asked = 0;
+  /** @type {Fit} */ const fit = new Fit(spec, { ...means, errors: async (asks, population) => {
+    if (++asked === 4) fit.pause();
+    return means.errors(asks, population);
+  } }, () => {});
+  while (fit.state !== 'paused') await means.turn();
+  for (let i = 0; i < 50; i++) await means.turn();
+  assert.equal(fit.best.length, 3, 'the count stands');
+  fit.goOn();
+  await fit.ended;
+  assert.deepEqual(fit.best, straight.best);
+});
+
 test('what the engine refuses is told, and a worker that dies ends the fit', async () => {
   const workbench = bench(0);
   workbench.bounds = { gamma: [-5, -1] };

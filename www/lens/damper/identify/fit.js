@@ -70,12 +70,13 @@ export class Fit {
     const individuals = spec.population ?? 60;
     try {
       for (;;) {
-        while (this.state === 'paused') await new Promise((resolve) => { this.#wake = () => resolve(undefined); });
+        await this.#held();
         const search = this.#search;
         if (!search) return;
         const population = search.ask();
         /** @type {Float64Array} */ const errors = population.length > 0 ? await this.#means.errors(spec, population, individuals, { signal }) : new Float64Array();
-        // It may have been ended meanwhile.
+        // A generation that was under way as a hand paused it waits, or the count would go on; and it may have been ended.
+        await this.#held();
         if (this.#search !== search) return;
         const told = search.tell(errors);
         this.last = told;
@@ -98,6 +99,11 @@ export class Fit {
       this.problem = error;
       this.#end('failed');
     }
+  }
+
+  /** As long as it is paused. */
+  async #held() {
+    while (this.state === 'paused') await new Promise((resolve) => { this.#wake = () => resolve(undefined); });
   }
 
   /** @param {Fit['state']} state */
