@@ -1,23 +1,18 @@
 //! Seeded random numbers: the same on every machine.
 
-/// SplitMix64 (G. Steele, D. Lea, C. Flood, *OOPSLA* 2014, 453–472): a few lines, and good enough to choose test cases.
-pub struct Random(u64);
+use shimmy::random::Random as Source;
+
+/// The crate's own sequence, with what chooses test cases.
+pub struct Random(Source);
 
 impl Random {
     pub fn seeded(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ self.0 >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ z >> 31
+        Self(Source::seeded(seed))
     }
 
     /// From 0 to 1.
     pub fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+        self.0.unit()
     }
 
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
@@ -26,6 +21,6 @@ impl Random {
 
     /// One time in `times`.
     pub fn once_in(&mut self, times: u64) -> bool {
-        self.next().is_multiple_of(times)
+        self.0.bits().is_multiple_of(times)
     }
 }
