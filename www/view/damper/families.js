@@ -1,3 +1,4 @@
+import { decimalsFor } from '../../words/number.js';
 import { axisUp, drawAxes, frameOf, logAxisUp } from '../axes.js';
 import { curveOf, strokeCurve } from '../curve.js';
 import { grids, inPanel, panelsIn } from '../panels.js';
@@ -38,7 +39,7 @@ function drawOne(context, size, { quantity, curves, now }, { across, at, veiled 
   if (frame.right - frame.left < 20 || frame.bottom - frame.top < 20) return;
   const all = curves.flatMap(({ amplitude }) => Array.from(amplitude));
   const domain = all.length > 0 ? /** @type {[number, number]} */ ([Math.min(...all), Math.max(...all)]) : /** @type {[number, number]} */ ([at / 10, 2 * at]);
-  const x = logAcross(across, domain, frame, voice);
+  const x = logAcross(across, domain, frame, theme, voice);
   const values = curves.flatMap((curve) => Array.from(curve.values)).filter((value) => value > 0);
   const [least, most] = [Math.min(...values, Infinity), Math.max(...values, 0)];
   const isLog = most > widest * least;
@@ -57,11 +58,13 @@ function drawOne(context, size, { quantity, curves, now }, { across, at, veiled 
   if (now !== null && at >= domain[0] && at <= domain[1]) drawPresentWithin(context, frame, x.at(at), y.at(now), theme.psi, theme);
 }
 
-/** An axis to the right by logarithms, a mark at each 1, 2 and 5. @param {Quantity} quantity @param {[number, number]} domain @param {import('../axes.js').Box} frame @param {Voice} voice @returns {import('../axes.js').Axis} */
-function logAcross(quantity, [from, to], frame, voice) {
+/** An axis to the right by logarithms, a mark at each 1, 2 and 5; where they would touch, at each power of ten. @param {Quantity} quantity @param {[number, number]} domain @param {import('../axes.js').Box} frame @param {Theme} theme @param {Voice} voice @returns {import('../axes.js').Axis} */
+function logAcross(quantity, [from, to], frame, theme, voice) {
   const place = linear([Math.log10(from), Math.log10(to)], [frame.left, frame.right]);
   const at = (/** @type {number} */ value) => place(Math.log10(value));
-  const shown = powers((from * quantity.perSI) / 10, to * quantity.perSI).flatMap((power) => [power, 2 * power, 5 * power]).filter((one) => one >= from * quantity.perSI * (1 - 1e-9) && one <= to * quantity.perSI * (1 + 1e-9));
-  const marks = shown.map((one) => ({ at: at(one / quantity.perSI), text: voice.number(one, one < 1 ? 1 : 0), isZero: false }));
+  const decade = (frame.right - frame.left) / Math.log10(to / from);
+  const leading = decade < 7 * theme.size ? [1] : [1, 2, 5];
+  const shown = powers((from * quantity.perSI) / 10, to * quantity.perSI).flatMap((power) => leading.map((digit) => digit * power)).filter((one) => one >= from * quantity.perSI * (1 - 1e-9) && one <= to * quantity.perSI * (1 + 1e-9));
+  const marks = shown.map((one) => ({ at: at(one / quantity.perSI), text: voice.number(one, decimalsFor(one, 1)), isZero: false }));
   return { at, marks, name: (isShort) => nameOf(quantity, voice, isShort) };
 }
