@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Rows, patience } from '../../www/lens/cycles/rows.js';
-import { settledOf, tableNumbers, tableOf, thesisTables } from '../../www/lens/cycles/thesis-tables.js';
+import { chosenOf, settledOf, tableNumbers, thesisTables } from '../../www/lens/cycles/thesis-tables.js';
 import { offBy, threeMethods } from '../../www/lens/cycles/three-methods.js';
 import { cycleLooks } from '../../www/run/cycle-looks.js';
 import { tablePicture } from '../../www/view/table-picture.js';
@@ -47,8 +47,8 @@ test('from a touch and from a large start the same cycles', () => {
 });
 
 test('a setting names a table, or else it is the first', () => {
-  assert.equal(tableOf('6.4'), '6.4');
-  for (const text of ['', '5.7', '6.6', 'toString']) assert.equal(tableOf(text), '5.8');
+  assert.equal(chosenOf(tableNumbers, '6.4'), '6.4');
+  for (const text of ['', '5.7', '6.6', 'toString']) assert.equal(chosenOf(tableNumbers, text), '5.8');
   assert.deepEqual(tableNumbers.toSorted(), Object.keys(thesisTables).toSorted());
 });
 

@@ -48,8 +48,8 @@ export const thesisTables = {
 /** In their order: an object's keys that are whole numbers would come first. */
 export const tableNumbers = ['5.8', '5.9', '5.10', '5.11', '5.12', '5.13', '6.1', '6.2', '6.3', '6.4', '6.5'];
 
-/** The table that a setting names; the first where it names none. @param {string} text */
-export const tableOf = (text) => (tableNumbers.includes(text) ? text : tableNumbers[0]);
+/** The table that a setting names; the first where it names none. @param {readonly string[]} numbers @param {string} text */
+export const chosenOf = (numbers, text) => (numbers.includes(text) ? text : numbers[0]);
 
 /** What becomes of a gear of a table. @param {CycleLooks} cycles @param {ThesisTable} table @param {Values} row @returns {Settled} */
 export function settledOf(cycles, { start, fixed }, row) {

@@ -29,6 +29,3 @@ export const damperTableNumbers = ['7.2', '7.3'];
 
 /** @param {string} text */
 export const isDamperTable = (text) => damperTableNumbers.includes(text);
-
-/** The table that a setting names; the first where it names none. @param {string} text */
-export const damperTableOf = (text) => (isDamperTable(text) ? text : damperTableNumbers[0]);
