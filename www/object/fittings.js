@@ -9,9 +9,6 @@
 const none = 'none';
 const parts = /** @type {const} */ (['gear', 'damper', 'control', 'roll']);
 
-/** How a gear may roll that does not go on at its speed. */
-export const rolls = /** @type {const} */ (['landing']);
-
 /** @param {string} object @returns {Fittings} */
 export function fittingsOf(object) {
   const [gear, damper = none, control = none, roll = none] = object.split('.');
